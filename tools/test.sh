@@ -1,0 +1,159 @@
+#!/usr/bin/env bash
+# Everything that must hold before a change lands; CI runs this script and nothing else.
+set -uo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
+
+usage() {
+    cat <<'END'
+usage: tools/test.sh [--quick] [--no-tidy] [--no-install]
+Installs the Debian packages that are missing, then builds with warnings as errors and runs the
+tests; builds and runs them again with the address and undefined-behaviour sanitizers and with the
+thread sanitizer; checks the formatting, runs clang-tidy and checks the scripts.
+  --quick        build and test only, without sanitizers and checks of the sources
+  --no-tidy      leave out clang-tidy, the slowest check
+  --no-install   take the machine as it is
+Exit status: 0 if every stage passed, 1 if one failed, 2 for a wrong option.
+END
+}
+
+quick=no tidy=yes install=yes
+for option in "$@"; do
+    case "$option" in
+        --quick) quick=yes ;;
+        --no-tidy) tidy=no ;;
+        --no-install) install=no ;;
+        -h | --help)
+            usage
+            exit 0
+            ;;
+        *)
+            echo "test: unknown option $option" >&2
+            usage >&2
+            exit 2
+            ;;
+    esac
+done
+
+jobs=2 # as many as CI has cores
+summary=()
+failed=()
+
+# stage NAME COMMAND...: runs COMMAND, notes how long it took and whether it passed.
+stage() {
+    local name="$1" started=$SECONDS verdict=passed
+    shift
+    printf '\n== %s\n' "$name"
+    if ! "$@" </dev/null; then
+        verdict=FAILED
+        failed+=("$name")
+    fi
+    summary+=("$(printf '%-24s %-7s %4d s' "$name" "$verdict" $((SECONDS - started)))")
+    [[ $verdict == passed ]]
+}
+
+# omit NAME REASON: notes a stage that was not run.
+omit() {
+    summary+=("$(printf '%-24s not run: %s' "$1" "$2")")
+}
+
+# build PRESET [WRAPPER...]: WRAPPER starts the compilation, which also runs each test program to list
+# its tests.
+build() {
+    local preset="$1"
+    shift
+    rm -f "build/$preset/ctest.log"
+    cmake --preset "$preset" && "$@" cmake --build --preset "$preset" --parallel "$jobs"
+}
+
+# run_tests PRESET [WRAPPER...]: the log stays in the build folder for the summary.
+run_tests() {
+    local preset="$1"
+    shift
+    "$@" ctest --preset "$preset" --parallel "$jobs" --no-tests=error 2>&1 |
+        tee "build/$preset/ctest.log"
+}
+
+build_and_test() {
+    if stage "build $1" build "$@"; then
+        stage "test $1" run_tests "$@"
+    else
+        omit "test $1" "its build failed"
+    fi
+}
+
+# sources PATTERN...: the project's files whose names match, one a line.
+sources() {
+    local names=()
+    for pattern in "$@"; do
+        names+=(-o -name "$pattern")
+    done
+    find . \( -name '.?*' -o -path ./build -o -path ./out \) -prune -o \
+        -type f \( "${names[@]:1}" \) -print | sort
+}
+
+check_format() {
+    sources '*.h' '*.cpp' '*.cl' '*.comp' '*.glsl' |
+        xargs --no-run-if-empty -n 16 -P "$jobs" clang-format --dry-run --Werror
+}
+
+check_scripts() {
+    sources '*.sh' | xargs shellcheck .ci/run
+}
+
+check_tidy() {
+    sources '*.cpp' | grep -E '^\./(host|tools)/' |
+        xargs -n 1 -P "$jobs" clang-tidy -p build/ci --quiet 2>&1 |
+        sed '/^[0-9]* warnings* generated\.$/d'
+}
+
+# The thread sanitizer cannot place its shadow memory under some kernels' address randomisation.
+fixed_addresses=()
+if setarch "$(uname -m)" -R true 2>/dev/null; then
+    fixed_addresses=(setarch "$(uname -m)" -R)
+fi
+export UBSAN_OPTIONS=print_stacktrace=1
+if command -v ccache >/dev/null; then
+    export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+fi
+
+# skipped_tests PRESET: how many tests did not run, and the reasons they gave.
+skipped_tests() {
+    local count
+    count="$(grep -c '\*\*\*Skipped' "build/$1/ctest.log")"
+    [[ "$count" -gt 0 ]] || return 0
+    echo "$count tests skipped themselves:"
+    awk '/: Skipped$/ { getline; print }' "build/$1/Testing/Temporary/LastTest.log" |
+        sort | uniq -c | sed 's/^ */  /; s/ / x /3'
+}
+
+if [[ $install == yes ]]; then
+    stage "install packages" tools/install_packages.sh test || exit 1
+fi
+if [[ $quick == no ]]; then
+    stage "format" check_format
+    if command -v shellcheck >/dev/null; then
+        stage "scripts" check_scripts
+    else
+        omit "scripts" "shellcheck is not installed"
+    fi
+fi
+build_and_test ci
+if [[ $quick == no ]]; then
+    if [[ $tidy == yes ]]; then
+        stage "clang-tidy" check_tidy
+    else
+        omit "clang-tidy" "--no-tidy"
+    fi
+    build_and_test asan
+    build_and_test tsan "${fixed_addresses[@]}"
+fi
+
+printf '\n== Summary\n'
+printf '%s\n' "${summary[@]}"
+[[ -f build/ci/ctest.log ]] && skipped_tests ci
+if [[ ${#failed[@]} -gt 0 ]]; then
+    printf 'test: failed: %s\n' "${failed[@]}"
+    exit 1
+fi
+echo "Every stage passed in $SECONDS s; the tests of the ci build:"
+grep -E 'tests passed, .* tests failed' build/ci/ctest.log
