@@ -1,0 +1,340 @@
+#include "zonegrid/mapper.h"
+
+#include "model/fusion.h"
+#include "model/navigation.h"
+#include "model/rays.h"
+#include "model/zoned_cells.h"
+#include "pipeline/feature_map.h"
+#include "pipeline/object_tracker.h"
+#include "pipeline/stopwatch.h"
+#include "reference/draw_objects.h"
+#include "reference/fuse_local_map.h"
+#include "reference/integrate_image.h"
+#include "reference/integrate_scan.h"
+#include "reference/profile_heights.h"
+#include "zonegrid/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace zonegrid {
+
+class Mapper::Implementation {
+public:
+    Implementation(const MapperOptions& options, const std::optional<Camera>& camera)
+        : options_(options),
+          camera_(camera),
+          rule_(options),
+          window_(make_window(options, camera)),
+          grid_(window_),
+          local_map_(window_),
+          features_(options.zone),
+          tracker_(options.zone) {
+        if (camera_) {
+            quantizer_.emplace(*camera_, options_);
+        }
+    }
+
+    void add_navigation(const NavigationSample& sample) { navigation_.add(sample); }
+
+    ImageResult add_image(const DepthImage& image) {
+        check_image(image);
+        Stopwatch stopwatch;
+        ImageResult result;
+        if (!begin(image.time_s, camera_->body_from_camera, result)) {
+            return result;
+        }
+        result.prepare_s = stopwatch.lap_s();
+        follow(result);
+        result.window_s = stopwatch.lap_s();
+        quantizer_->quantize(image.depth_m, result.world_from_sensor, window_, rays_);
+        result.missing = static_cast<std::uint64_t>(
+            std::ranges::count_if(rays_.depths, [](const auto& depth) { return depth.near < 0; }));
+        result.rays = rays_.depths.size() - result.missing;
+        result.prepare_s += stopwatch.lap_s();
+        local_map_.clear();
+        reference::integrate_image(rays_, local_map_);
+        result.integrate_s = stopwatch.lap_s();
+        fuse(result);
+        result.fuse_s = stopwatch.lap_s();
+        return result;
+    }
+
+    ImageResult add_scan(const Scan& scan) {
+        Stopwatch stopwatch;
+        ImageResult result;
+        if (!begin(scan.time_s, scan.body_from_sensor, result)) {
+            return result;
+        }
+        result.prepare_s = stopwatch.lap_s();
+        follow(result);
+        result.window_s = stopwatch.lap_s();
+        const ScanRays rays = quantize_scan(scan, result.world_from_sensor, options_, window_);
+        result.rays = rays.rays.size();
+        result.missing = rays.missing;
+        result.dropped = rays.dropped;
+        result.prepare_s += stopwatch.lap_s();
+        local_map_.clear();
+        reference::integrate_scan(rays, local_map_);
+        result.integrate_s = stopwatch.lap_s();
+        fuse(result);
+        result.fuse_s = stopwatch.lap_s();
+        return result;
+    }
+
+    const std::vector<Object>& objects() {
+        for (const auto& zone : changed_) {
+            if (window_.holds(zone)) {
+                tracker_.set_zone(zone, occupied_in_window(zone));
+            }
+        }
+        changed_.clear();
+        return tracker_.objects();
+    }
+
+    HeightProfile height_profile(std::optional<double> cut_height_m) const {
+        reference::HeightProfiler profiler(options_.zone, least_z(cut_height_m));
+        for (const auto place : grid_.held()) {
+            profiler.add_zone(window_.zone_at(place),
+                              occupied_bits(grid_.find(place), rule_.threshold, options_.zone));
+        }
+        for (const auto& [zone, octree] : features_.zones()) {
+            profiler.add_zone(zone, remembered_bits(zone));
+        }
+        return {options_.cell_m, profiler.columns()};
+    }
+
+    int value(const CellIndex& cell) const {
+        const ZoneIndex zone = zone_of(cell, options_.zone);
+        if (!window_.holds(zone)) {
+            return 0;
+        }
+        const auto values = grid_.find(window_.place_of(zone));
+        return values.empty() ? 0 : values[index_in_zone(cell, options_.zone)];
+    }
+
+    void for_each_cell(const std::function<void(const CellIndex&, int)>& visit) const {
+        // Order by x, then y, then z: one layer of zones at a time, one x at a time through it.
+        std::map<std::int32_t,
+                 std::map<std::pair<std::int32_t, std::int32_t>, std::span<const std::int8_t>>>
+            layers;
+        for (const auto place : grid_.held()) {
+            const ZoneIndex zone = window_.zone_at(place);
+            layers[zone.x][{zone.y, zone.z}] = grid_.find(place);
+        }
+        for (const auto& [zone_x, layer] : layers) {
+            for (std::int32_t x = 0; x < options_.zone; ++x) {
+                visit_plane(zone_x, x, layer, visit);
+            }
+        }
+    }
+
+    MapStatistics statistics() const {
+        MapStatistics statistics;
+        statistics.window_first_cell = window_.first_cell();
+        statistics.window_cells = window_.edge_cells();
+        statistics.zones_held = grid_.held().size();
+        statistics.zones_held_most = zones_held_most_;
+        statistics.zones_remembered = features_.zones().size();
+        for (const auto place : grid_.held()) {
+            for (const int value : grid_.find(place)) {
+                statistics.cells_occupied += value >= rule_.threshold ? 1U : 0U;
+                statistics.cells_free += value < 0 ? 1U : 0U;
+            }
+        }
+        return statistics;
+    }
+
+    const MapperOptions& options() const { return options_; }
+
+private:
+    using Layer = std::map<std::pair<std::int32_t, std::int32_t>, std::span<const std::int8_t>>;
+
+    void check_image(const DepthImage& image) const {
+        if (!camera_) {
+            throw UsageError("depth image without a camera: hand the camera to the Mapper");
+        }
+        const auto pixels = static_cast<std::size_t>(camera_->width_px) *
+                            static_cast<std::size_t>(camera_->height_px);
+        if (image.depth_m.size() != pixels) {
+            throw UsageError(fmt::format(
+                "depth image at {:.6f} s has {} pixels, the camera has {} x {}", image.time_s,
+                image.depth_m.size(), camera_->width_px, camera_->height_px));
+        }
+    }
+
+    /// Finds the sensor's pose; false if the image must be skipped.
+    bool begin(double time_s, const Eigen::Isometry3d& body_from_sensor, ImageResult& result) {
+        if (!(time_s > last_time_s_)) {
+            result.status = ImageStatus::out_of_order;
+            return false;
+        }
+        const auto body = navigation_.world_from_body(time_s, options_.max_gap_s);
+        if (!body) {
+            result.status = ImageStatus::no_navigation;
+            return false;
+        }
+        result.world_from_sensor = *body * body_from_sensor;
+        const auto cell = cell_of(result.world_from_sensor.translation(), options_.cell_m);
+        if (!cell) {
+            result.status = ImageStatus::pose_out_of_range;
+            return false;
+        }
+        last_time_s_ = time_s;
+        sensor_cell_ = *cell;
+        return true;
+    }
+
+    /// Moves the window after the sensor: zones leave into the feature map, zones come out of it.
+    void follow(ImageResult& result) {
+        if (!window_.move_to(sensor_cell_)) {
+            return;
+        }
+        local_map_.clear();
+        local_map_.move_to(window_, [](const ZoneIndex&, std::span<const std::uint8_t>) {});
+        grid_.move_to(window_, [&](const ZoneIndex& zone, std::span<const std::int8_t> values) {
+            ++result.zones_left;
+            leave(zone, values);
+        });
+        for (const auto& zone : features_.zones_in(window_)) {
+            const auto cells = features_.take(zone);
+            reference::draw_objects(cells, rule_, options_.zone,
+                                    grid_.touch(window_.place_of(zone)));
+            ++result.zones_entered;
+        }
+        zones_held_most_ = std::max<std::uint64_t>(zones_held_most_, grid_.held().size());
+    }
+
+    void leave(const ZoneIndex& zone, std::span<const std::int8_t> values) {
+        const ZoneBits occupied = occupied_bits(values, rule_.threshold, options_.zone);
+        std::vector<CellIndex> cells;
+        occupied.for_each(
+            [&](std::uint32_t index) { cells.push_back(cell_at(zone, index, options_.zone)); });
+        features_.remember(zone, cells);
+        if (changed_.erase(zone) != 0) {
+            tracker_.set_zone(zone, occupied);
+        }
+    }
+
+    void fuse(ImageResult& result) {
+        const auto fused = reference::fuse_local_map(local_map_, rule_, grid_);
+        result.cells_changed = fused.cells_changed;
+        for (const auto place : fused.occupancy_changed) {
+            changed_.insert(window_.zone_at(place));
+        }
+        zones_held_most_ = std::max<std::uint64_t>(zones_held_most_, grid_.held().size());
+    }
+
+    ZoneBits occupied_in_window(const ZoneIndex& zone) const {
+        return occupied_bits(grid_.find(window_.place_of(zone)), rule_.threshold, options_.zone);
+    }
+
+    ZoneBits remembered_bits(const ZoneIndex& zone) const {
+        ZoneBits bits(options_.zone);
+        for (const auto& cell : features_.cells(zone)) {
+            bits.set(index_in_zone(cell, options_.zone));
+        }
+        return bits;
+    }
+
+    /// Least z of the cells that stay below the cut.
+    std::int32_t least_z(std::optional<double> cut_height_m) const {
+        constexpr double lowest = std::numeric_limits<std::int32_t>::min();
+        constexpr double highest = std::numeric_limits<std::int32_t>::max();
+        if (!cut_height_m) {
+            return std::numeric_limits<std::int32_t>::min();
+        }
+        return static_cast<std::int32_t>(
+            std::clamp(std::ceil(-*cut_height_m / options_.cell_m), lowest, highest));
+    }
+
+    /// Visits the cells with one x in a layer of zones, by y, then z.
+    void visit_plane(std::int32_t zone_x, std::int32_t x, const Layer& layer,
+                     const std::function<void(const CellIndex&, int)>& visit) const {
+        const std::int32_t edge = options_.zone;
+        for (auto row = layer.begin(); row != layer.end();) {
+            const std::int32_t zone_y = row->first.first;
+            const auto row_end = layer.lower_bound({zone_y + 1, std::numeric_limits<int>::min()});
+            for (std::int32_t y = 0; y < edge; ++y) {
+                for (auto zone = row; zone != row_end; ++zone) {
+                    for (std::int32_t z = 0; z < edge; ++z) {
+                        const auto index = static_cast<std::size_t>((z * edge + y) * edge + x);
+                        const int cell_value = zone->second[index];
+                        if (cell_value != 0) {
+                            visit({zone_x * edge + x, zone_y * edge + y,
+                                   zone->first.second * edge + z},
+                                  cell_value);
+                        }
+                    }
+                }
+            }
+            row = row_end;
+        }
+    }
+
+    MapperOptions options_;
+    std::optional<Camera> camera_;
+    FusionRule rule_;
+    Window window_;
+    Grid grid_;
+    LocalMap local_map_;
+    FeatureMap features_;
+    ObjectTracker tracker_;
+    NavigationBuffer navigation_;
+    std::optional<ImageQuantizer> quantizer_;
+    ImageRays rays_;
+    CellIndex sensor_cell_;
+    double last_time_s_ = -std::numeric_limits<double>::infinity();
+    std::set<ZoneIndex> changed_; ///< zones in the window whose occupancy the tracker has not seen
+    std::uint64_t zones_held_most_ = 0;
+};
+
+Mapper::Mapper(const MapperOptions& options, const std::optional<Camera>& camera) {
+    check_options(options);
+    implementation_ = std::make_unique<Implementation>(options, camera);
+}
+
+Mapper::~Mapper() = default;
+Mapper::Mapper(Mapper&&) noexcept = default;
+Mapper& Mapper::operator=(Mapper&&) noexcept = default;
+
+void Mapper::add_navigation(const NavigationSample& sample) {
+    implementation_->add_navigation(sample);
+}
+
+ImageResult Mapper::add_image(const DepthImage& image) {
+    return implementation_->add_image(image);
+}
+
+ImageResult Mapper::add_scan(const Scan& scan) {
+    return implementation_->add_scan(scan);
+}
+
+std::vector<Object> Mapper::objects() {
+    return implementation_->objects();
+}
+
+HeightProfile Mapper::height_profile(std::optional<double> cut_height_m) const {
+    return implementation_->height_profile(cut_height_m);
+}
+
+int Mapper::value(const CellIndex& cell) const {
+    return implementation_->value(cell);
+}
+
+void Mapper::for_each_cell(const std::function<void(const CellIndex&, int)>& visit) const {
+    implementation_->for_each_cell(visit);
+}
+
+MapStatistics Mapper::statistics() const {
+    return implementation_->statistics();
+}
+
+const MapperOptions& Mapper::options() const {
+    return implementation_->options();
+}
+
+} // namespace zonegrid

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "model/lattice.h"
+#include "model/zone_bits.h"
+#include "reference/label_components.h"
+#include "zonegrid/objects.h"
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace zonegrid {
+
+/// Objects over all zones with occupied cells, in the window and remembered. Keeps the pieces of
+/// each zone, so that only zones whose occupancy changed are labelled again.
+class ObjectTracker {
+public:
+    explicit ObjectTracker(std::int32_t zone_edge) : zone_edge_(zone_edge) {}
+
+    /// Sets the occupied cells of one zone, in place of what was known of it.
+    void set_zone(const ZoneIndex& zone, const ZoneBits& occupied);
+
+    /// Objects of docs/model.md, section 8, sorted by identifier.
+    [[nodiscard]] const std::vector<Object>& objects();
+
+private:
+    [[nodiscard]] Object describe(const std::vector<reference::PieceReference>& component) const;
+
+    std::int32_t zone_edge_;
+    std::map<ZoneIndex, reference::ZonePieces> zones_;
+    std::vector<Object> objects_;
+    bool stale_ = false;
+};
+
+} // namespace zonegrid

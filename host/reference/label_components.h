@@ -1,0 +1,41 @@
+#pragma once
+
+#include "model/lattice.h"
+#include "model/zone_bits.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace zonegrid::reference {
+
+/// A zone's part of an object: occupied cells connected within the zone, ascending by their place
+/// in the zone.
+using Piece = std::vector<std::uint16_t>;
+
+/// The pieces of one zone.
+struct ZonePieces {
+    std::vector<Piece> pieces;
+    /// For each axis the zone's last layer of cells and its first one: which piece (1-based, 0:
+    /// none) each cell belongs to. A layer is ordered by the two other axes, the lesser first.
+    std::array<std::vector<std::uint16_t>, 3> first_layer;
+    std::array<std::vector<std::uint16_t>, 3> last_layer;
+};
+
+/// Which piece of which zone.
+struct PieceReference {
+    ZoneIndex zone;
+    std::uint16_t piece = 0;
+    friend auto operator<=>(const PieceReference&, const PieceReference&) = default;
+};
+
+/// Components of one zone by flood fill through faces (docs/model.md, section 8.2).
+[[nodiscard]] ZonePieces label_zone(const ZoneBits& occupied, std::int32_t zone_edge);
+
+/// Components across zones by flood fill over pieces that share a face of two cells. Each
+/// component is a list of its pieces; every piece is in exactly one.
+[[nodiscard]] std::vector<std::vector<PieceReference>> join_pieces(
+    const std::map<ZoneIndex, ZonePieces>& zones);
+
+} // namespace zonegrid::reference
