@@ -1,0 +1,40 @@
+#pragma once
+
+#include "support/oracle_random.h"
+#include "zonegrid/options.h"
+#include "zonegrid/sensors.h"
+
+#include <vector>
+
+namespace zonegrid::oracle {
+
+/// Odd sizes, from 1 x 1 to 16 x 12; every third with a table of directions, some with stereo;
+/// mounted anyhow.
+[[nodiscard]] Camera random_camera(Random& random);
+
+/// Small range in cells (at most `range_cells`), so that exact intersection stays quick.
+[[nodiscard]] MapperOptions random_options(Random& random, double range_cells);
+
+/// Any turn, a quarter of them exact quarter turns, which put many rays on edges and corners.
+[[nodiscard]] Eigen::Quaterniond random_attitude(Random& random);
+
+/// Within +-`most` cells of the origin; a quarter exactly on cell borders or their middles.
+[[nodiscard]] Eigen::Vector3d random_position(Random& random, double cell_m, double most);
+
+/// What depth images of `random_depths` look like.
+enum class Picture {
+    all_missing,
+    all_infinite,
+    one_pixel,
+    noise,
+    step,
+    range_end, ///< within a sub-cell of the pixel's range, on either side
+    beyond,
+    mixed ///< everything at once, with the smallest and greatest floats
+};
+inline constexpr int picture_kinds = 8;
+
+[[nodiscard]] std::vector<float> random_depths(Random& random, const Camera& camera,
+                                               const MapperOptions& options, Picture picture);
+
+} // namespace zonegrid::oracle
