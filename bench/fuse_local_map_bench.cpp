@@ -1,0 +1,46 @@
+#include "reference/fuse_local_map.h"
+
+#include "field_grid.h"
+
+#include <cstddef>
+
+namespace zonegrid::bench {
+namespace {
+
+/// After one image into an empty grid every value follows from the statement alone.
+bool values_follow(const FieldGrid& field) {
+    std::uint64_t occupied = 0;
+    for (const auto place : field.local_map.held()) {
+        const auto statements = field.local_map.find(place);
+        const auto values = field.grid.find(place);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const int expected = statements[i] == ZG_STATEMENT_OCCUPIED ? field.options.hit
+                                 : statements[i] == ZG_STATEMENT_FREE   ? -field.options.miss
+                                                                        : 0;
+            if (values[i] != expected) {
+                return false;
+            }
+            occupied += expected > 0 ? 1U : 0U;
+        }
+    }
+    return occupied > 100;
+}
+
+void fuse_local_map(benchmark::State& state) {
+    FieldGrid field = make_field_grid(cell_m_of(state));
+    if (!values_follow(field)) {
+        state.SkipWithError("values are not those that the statements give");
+        return;
+    }
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(
+            reference::fuse_local_map(field.local_map, field.rule, field.grid));
+    }
+    const auto cells = field.local_map.held().size() * field.local_map.zone_cells();
+    state.counters["zones"] = static_cast<double>(field.local_map.held().size());
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(cells));
+}
+BENCHMARK(fuse_local_map)->Apply(field_sizes);
+
+} // namespace
+} // namespace zonegrid::bench
