@@ -1,0 +1,133 @@
+#include "io/description_table.h"
+
+#include "io/depth_png.h"
+#include "io/text_list.h"
+#include "zonegrid/errors.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <utility>
+
+namespace zonegrid {
+
+DescriptionTable::DescriptionTable(const toml::table& table, std::filesystem::path file,
+                                   std::string name)
+    : table_(&table), file_(std::move(file)), name_(std::move(name)) {}
+
+const toml::node* DescriptionTable::find(std::string_view key) {
+    asked_.emplace(key);
+    return table_->get(key);
+}
+
+void DescriptionTable::refuse(std::string_view key, const std::string& problem,
+                              const std::string& remedy) const {
+    const toml::node* const node = table_->get(key);
+    const std::size_t line = (node == nullptr ? *table_ : *node).source().begin.line;
+    throw InputError(place_of(file_, line),
+                     fmt::format("{}{}{} {}", name_, name_.empty() ? "" : ".", key, problem),
+                     remedy);
+}
+
+void DescriptionTable::refuse_absent(std::string_view key) const {
+    refuse(key, "is missing", "add it; docs/formats.md has a complete example");
+}
+
+std::optional<DescriptionTable> DescriptionTable::table(std::string_view key) {
+    const toml::node* const node = find(key);
+    if (node == nullptr) {
+        return std::nullopt;
+    }
+    if (!node->is_table()) {
+        refuse(key, "is a value", fmt::format("write it as a table: [{}]", key));
+    }
+    return DescriptionTable(*node->as_table(), file_, std::string(key));
+}
+
+std::optional<double> DescriptionTable::number(std::string_view key) {
+    const toml::node* const node = find(key);
+    if (node == nullptr) {
+        return std::nullopt;
+    }
+    const std::optional<double> value = node->is_number() ? node->value<double>() : std::nullopt;
+    if (!value || !std::isfinite(*value)) {
+        refuse(key, "is no finite number", "write a number without quotes");
+    }
+    return value;
+}
+
+double DescriptionTable::needed_number(std::string_view key) {
+    const std::optional<double> value = number(key);
+    if (!value) {
+        refuse_absent(key);
+    }
+    return *value;
+}
+
+double DescriptionTable::positive_number(std::string_view key) {
+    const double value = needed_number(key);
+    if (!(value > 0.0)) {
+        refuse(key, fmt::format("is {}", value), "a number above 0 is needed");
+    }
+    return value;
+}
+
+int DescriptionTable::needed_size(std::string_view key) {
+    const double value = needed_number(key);
+    if (!(value >= 1.0 && value <= kLargestImage_px) || value != std::floor(value)) {
+        refuse(key, fmt::format("is {}", value),
+               fmt::format("a whole number from 1 to {} is needed", kLargestImage_px));
+    }
+    return static_cast<int>(value);
+}
+
+std::optional<std::vector<double>> DescriptionTable::numbers(std::string_view key) {
+    const toml::node* const node = find(key);
+    if (node == nullptr) {
+        return std::nullopt;
+    }
+    std::vector<double> values;
+    if (!node->is_array()) {
+        refuse(key, "is no list", "write numbers in brackets: [0, 65535]");
+    }
+    for (const toml::node& item : *node->as_array()) {
+        const std::optional<double> value = item.is_number() ? item.value<double>() : std::nullopt;
+        if (!value) {
+            refuse(key, "holds something that is no number",
+                   "write numbers in brackets: [0, 65535]");
+        }
+        values.push_back(*value);
+    }
+    return values;
+}
+
+std::optional<std::string> DescriptionTable::text(std::string_view key) {
+    const toml::node* const node = find(key);
+    if (node == nullptr) {
+        return std::nullopt;
+    }
+    if (!node->is_string()) {
+        refuse(key, "is no text", "write it in quotes");
+    }
+    return node->value<std::string>();
+}
+
+std::string DescriptionTable::needed_text(std::string_view key) {
+    std::optional<std::string> value = text(key);
+    if (!value) {
+        refuse_absent(key);
+    }
+    return *std::move(value);
+}
+
+void DescriptionTable::require_all_read() const {
+    for (const auto& [key, node] : *table_) {
+        if (!asked_.contains(key.str())) {
+            refuse(key.str(), "is unknown or does not apply here",
+                   fmt::format("correct or remove it; known here: {}", fmt::join(asked_, ", ")));
+        }
+    }
+}
+
+} // namespace zonegrid
