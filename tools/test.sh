@@ -102,7 +102,7 @@ check_scripts() {
 
 check_tidy() {
     sources '*.cpp' | grep -E '^\./(host|tools)/' |
-        xargs -n 1 -P "$jobs" clang-tidy -p build/ci --quiet 2>&1 |
+        xargs -n 1 -P "$jobs" clang-tidy-16 -p build/ci --quiet 2>&1 |
         sed '/^[0-9]* warnings* generated\.$/d'
 }
 
