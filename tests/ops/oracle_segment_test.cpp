@@ -171,6 +171,40 @@ TEST(OracleSegment, WalkPassesTheCellsOfTheExactSegmentInOrder) {
     EXPECT_EQ(segments, 15900);
 }
 
+/// The oracle against itself: the cells it lists are those of the whole bounding box, and one more
+/// layer around it, for which it answers yes.
+TEST(OracleSegment, ListedCellsAreTheCrossedOnesOfTheBox) {
+    Random random(3);
+    int segments = 0;
+    for (const Family& family : families()) {
+        for (int n = 0; n < 250; ++n) {
+            SubPoint start;
+            SubPoint end;
+            family.make(random, start, end);
+            const CellIndex a = oracle::cell_of(wide(start));
+            const CellIndex b = oracle::cell_of(wide(end));
+            if (std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)}) > 20) {
+                continue;
+            }
+            auto listed = oracle::segment_cells(wide(start), wide(end));
+            std::ranges::sort(listed);
+            std::vector<CellIndex> crossed;
+            for (int x = std::min(a.x, b.x) - 1; x <= std::max(a.x, b.x) + 1; ++x) {
+                for (int y = std::min(a.y, b.y) - 1; y <= std::max(a.y, b.y) + 1; ++y) {
+                    for (int z = std::min(a.z, b.z) - 1; z <= std::max(a.z, b.z) + 1; ++z) {
+                        if (oracle::crossed(wide(start), wide(end), {x, y, z})) {
+                            crossed.push_back({x, y, z});
+                        }
+                    }
+                }
+            }
+            ASSERT_EQ(listed, crossed) << family.name << ", segment " << n;
+            ++segments;
+        }
+    }
+    EXPECT_GT(segments, 1600);
+}
+
 TEST(OracleSegment, FamiliesHoldManyTies) {
     Random random(7);
     int with_tie = 0;

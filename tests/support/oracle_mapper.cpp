@@ -34,15 +34,15 @@ ImageStatus OracleMapper::admit(double time_s, const std::optional<Pose>& pose) 
     if (last_time_s_ && time_s <= *last_time_s_) {
         return ImageStatus::out_of_order;
     }
-    last_time_s_ = time_s;
     if (!pose) {
         return ImageStatus::no_navigation;
     }
     for (const double position_m : pose->position_m) {
-        if (!(std::abs(position_m / options_.cell_m) <= 1073741824.0)) {
+        if (!(std::abs(std::floor(position_m / options_.cell_m)) <= 1073741824.0)) {
             return ImageStatus::pose_out_of_range;
         }
     }
+    last_time_s_ = time_s; // skipped images do not count
     return ImageStatus::integrated;
 }
 

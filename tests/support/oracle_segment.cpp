@@ -71,15 +71,36 @@ std::array<std::int64_t, 3> coordinates(const CellIndex& cell) {
     return {cell.x, cell.y, cell.z};
 }
 
-/// All slabs that the segment visits on one axis, with its stay in each.
-std::vector<std::pair<std::int64_t, Stay>> slabs(const SubCell& from, const SubCell& to, int axis) {
+/// One slab of cells that the segment visits, and when.
+struct Slab {
+    std::int64_t cell = 0;
+    Stay stay;
+};
+
+/// All slabs that the segment visits on one axis, in the order of its way.
+std::vector<Slab> slabs(const SubCell& from, const SubCell& to, int axis) {
     const auto i = static_cast<std::size_t>(axis);
     const auto [low, high] = std::minmax({cell_of(from[i]), cell_of(to[i])});
-    std::vector<std::pair<std::int64_t, Stay>> result;
+    std::vector<Slab> result;
     for (std::int64_t cell = low; cell <= high; ++cell) {
-        result.emplace_back(cell, stay_in_slab(from[i], to[i], cell, axis));
+        result.push_back({cell, stay_in_slab(from[i], to[i], cell, axis)});
+    }
+    if (to[i] < from[i]) {
+        std::reverse(result.begin(), result.end());
     }
     return result;
+}
+
+/// Calls `visit(slab, common stay)` for the slabs that have a moment in common with `stay`. They
+/// follow each other: the first is found by bisection, which only saves asking all the others.
+template <class Visit>
+void for_each_common(const std::vector<Slab>& slabs, const Stay& stay, Visit&& visit) {
+    auto slab = std::partition_point(slabs.begin(), slabs.end(), [&](const Slab& candidate) {
+        return !earlier(stay.enter, candidate.stay.leave);
+    });
+    for (; slab != slabs.end() && earlier(slab->stay.enter, stay.leave); ++slab) {
+        visit(*slab, common(stay, slab->stay));
+    }
 }
 
 } // namespace
@@ -108,21 +129,14 @@ std::vector<CellIndex> segment_cells(const SubCell& from, const SubCell& to) {
     const auto rows = slabs(from, to, 1);
     const auto levels = slabs(from, to, 2);
     std::vector<std::pair<Moment, CellIndex>> found;
-    for (const auto& [x, stay_x] : columns) {
-        for (const auto& [y, stay_y] : rows) {
-            const Stay stay_xy = common(stay_x, stay_y);
-            if (!exists(stay_xy)) {
-                continue;
-            }
-            for (const auto& [z, stay_z] : levels) {
-                const Stay stay = common(stay_xy, stay_z);
-                if (exists(stay)) {
-                    found.emplace_back(stay.enter, CellIndex{static_cast<std::int32_t>(x),
-                                                             static_cast<std::int32_t>(y),
-                                                             static_cast<std::int32_t>(z)});
-                }
-            }
-        }
+    for (const Slab& x : columns) {
+        for_each_common(rows, x.stay, [&](const Slab& y, const Stay& stay_xy) {
+            for_each_common(levels, stay_xy, [&](const Slab& z, const Stay& stay) {
+                found.emplace_back(stay.enter, CellIndex{static_cast<std::int32_t>(x.cell),
+                                                         static_cast<std::int32_t>(y.cell),
+                                                         static_cast<std::int32_t>(z.cell)});
+            });
+        });
     }
     std::sort(found.begin(), found.end(),
               [](const auto& a, const auto& b) { return earlier(a.first, b.first); });
