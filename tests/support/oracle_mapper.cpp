@@ -15,6 +15,18 @@ std::int64_t zone_start(std::int64_t cell, std::int64_t zone) {
     return cell - rest;
 }
 
+Eigen::Isometry3d transform_of(const Pose& pose) {
+    Eigen::Isometry3d transform = Eigen::Isometry3d::Identity();
+    for (std::size_t row = 0; row < 3; ++row) {
+        const auto r = static_cast<Eigen::Index>(row);
+        transform(r, 3) = pose.position_m[row];
+        for (std::size_t column = 0; column < 3; ++column) {
+            transform(r, static_cast<Eigen::Index>(column)) = pose.rotation[row][column];
+        }
+    }
+    return transform;
+}
+
 } // namespace
 
 OracleMapper::OracleMapper(const MapperOptions& options, const std::optional<Camera>& camera)
@@ -54,6 +66,7 @@ ImageResult OracleMapper::add_image(const DepthImage& image) {
     if (result.status != ImageStatus::integrated) {
         return result;
     }
+    result.world_from_sensor = transform_of(*pose);
     move_window(*pose);
     const LocalMap map = image_local_map(*camera_, options_, *pose, image.depth_m);
     result.missing = map.missing;
@@ -68,6 +81,7 @@ ImageResult OracleMapper::add_scan(const Scan& scan) {
     if (result.status != ImageStatus::integrated) {
         return result;
     }
+    result.world_from_sensor = transform_of(*pose);
     move_window(*pose);
     const LocalMap map = scan_local_map(scan, options_, *pose, window_);
     result.missing = map.missing;

@@ -17,7 +17,7 @@ public:
     explicit OracleMapper(const MapperOptions& options, const std::optional<Camera>& camera = {});
 
     void add_navigation(const NavigationSample& sample);
-    /// Fills status, missing, dropped and cells_changed of the result.
+    /// Fills status, world_from_sensor, missing, dropped and cells_changed of the result.
     ImageResult add_image(const DepthImage& image);
     ImageResult add_scan(const Scan& scan);
 

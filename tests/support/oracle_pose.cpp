@@ -21,6 +21,12 @@ Turn operator*(const Turn& a, const Turn& b) {
             a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
 }
 
+/// Navigation's quaternion is one but for rounding; only its direction counts.
+Turn unit(const Eigen::Quaterniond& q) {
+    const double norm = std::sqrt(q.w() * q.w() + q.x() * q.x() + q.y() * q.y() + q.z() * q.z());
+    return {q.w() / norm, q.x() / norm, q.y() / norm, q.z() / norm};
+}
+
 /// Rotation by |rate * dt| about `rate`.
 Turn turn_by(const Eigen::Vector3d& rate_radps, double dt_s) {
     const Triple angle{rate_radps.x() * dt_s, rate_radps.y() * dt_s, rate_radps.z() * dt_s};
@@ -65,9 +71,8 @@ std::optional<Pose> sensor_pose(const std::vector<NavigationSample>& samples, do
         return {};
     }
     const double dt_s = time_s - nearest->time_s;
-    const Eigen::Quaterniond& q = nearest->world_from_body;
     const Rotation world_from_body =
-        matrix(Turn{q.w(), q.x(), q.y(), q.z()} * turn_by(nearest->body_rate_radps, dt_s));
+        matrix(unit(nearest->world_from_body) * turn_by(nearest->body_rate_radps, dt_s));
 
     Pose pose;
     Triple lever{};
