@@ -27,9 +27,9 @@ struct ProfilePictureOptions {
 /// by; the picture says so when heights lie beyond.
 ///
 /// `trajectory_m` are camera positions in the world frame (north, east, down); points that are not
-/// finite are left out. It may be empty, and so may the profile.
-/// Writes an 8-bit RGB PNG. Throws UsageError for a picture size or cell size that cannot work,
-/// OutputError if the file cannot be written; nothing half-written is left behind.
+/// finite, or more than a million metres away, are left out. It may be empty, and so may the
+/// profile. Writes an 8-bit RGB PNG. Throws UsageError for a picture size or cell size that cannot
+/// work, OutputError if the file cannot be written; nothing half-written is left behind.
 void draw_profile(const HeightProfile& profile, std::span<const Eigen::Vector3d> trajectory_m,
                   const ProfilePictureOptions& options, const std::filesystem::path& file);
 
