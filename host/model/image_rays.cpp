@@ -52,6 +52,30 @@ double length(double x, double y) {
     throw UsageError(fmt::format("camera {}: {}", field, problem));
 }
 
+/// Depth at which the ray of each pixel reaches the range; checks the directions on the way.
+std::vector<std::int32_t> range_limits(const Camera& camera, double range_sub) {
+    std::vector<std::int32_t> limits;
+    limits.reserve(static_cast<std::size_t>(camera.width_px) *
+                   static_cast<std::size_t>(camera.height_px));
+    for (int v_px = 0; v_px < camera.height_px; ++v_px) {
+        for (int u_px = 0; u_px < camera.width_px; ++u_px) {
+            const auto [x, y] = slope(camera, u_px, v_px);
+            const double corner =
+                length(std::abs(x) + 0.5 / camera.fx_px, std::abs(y) + 0.5 / camera.fy_px);
+            if (!(corner < greatest_direction)) {
+                refuse("directions",
+                       fmt::format("pixel ({}, {}) looks more than 75 degrees off the axis; check "
+                                   "focal lengths and principal point, or crop the image",
+                                   u_px, v_px));
+            }
+            limits.push_back(static_cast<std::int32_t>(std::floor(range_sub / length(x, y))));
+        }
+    }
+    return limits;
+}
+
+} // namespace
+
 void check_camera(const Camera& camera) {
     const auto check_size = [](const char* field, int pixels) {
         if (pixels < 1 || pixels > most_pixels_an_axis) {
@@ -88,30 +112,6 @@ void check_camera(const Camera& camera) {
         }
     }
 }
-
-/// Depth at which the ray of each pixel reaches the range; checks the directions on the way.
-std::vector<std::int32_t> range_limits(const Camera& camera, double range_sub) {
-    std::vector<std::int32_t> limits;
-    limits.reserve(static_cast<std::size_t>(camera.width_px) *
-                   static_cast<std::size_t>(camera.height_px));
-    for (int v_px = 0; v_px < camera.height_px; ++v_px) {
-        for (int u_px = 0; u_px < camera.width_px; ++u_px) {
-            const auto [x, y] = slope(camera, u_px, v_px);
-            const double corner =
-                length(std::abs(x) + 0.5 / camera.fx_px, std::abs(y) + 0.5 / camera.fy_px);
-            if (!(corner < greatest_direction)) {
-                refuse("directions",
-                       fmt::format("pixel ({}, {}) looks more than 75 degrees off the axis; check "
-                                   "focal lengths and principal point, or crop the image",
-                                   u_px, v_px));
-            }
-            limits.push_back(static_cast<std::int32_t>(std::floor(range_sub / length(x, y))));
-        }
-    }
-    return limits;
-}
-
-} // namespace
 
 ImageQuantizer::ImageQuantizer(const Camera& camera, const MapperOptions& options)
     : camera_(camera),

@@ -75,11 +75,15 @@ struct ScanRays {
 [[nodiscard]] std::optional<SubPoint> window_relative(const Eigen::Vector3d& position_m,
                                                       double cell_m, const Window& window);
 
+/// Throws UsageError if the camera's size, focal lengths, principal point, number of directions or
+/// stereo noise cannot work, naming the field. Must pass before a window is made for the camera.
+void check_camera(const Camera& camera);
+
 /// Turns depth images into integers (docs/model.md, section 3). Keeps what depends on camera and
 /// options alone: the depth at which each pixel's ray reaches the range.
 class ImageQuantizer {
 public:
-    /// Throws UsageError if the camera cannot work, naming the field.
+    /// Throws UsageError as `check_camera` does, or if a pixel looks too far off the axis.
     ImageQuantizer(const Camera& camera, const MapperOptions& options);
 
     /// `depth_m` as in DepthImage; the window holds the camera's reach. Fills `rays`, whose memory
@@ -100,8 +104,10 @@ private:
     std::vector<std::int32_t> limits_;
 };
 
-/// Turns a scan into integers (docs/model.md, section 3). Throws UsageError if starts are given but
-/// not one for each end.
+/// Throws UsageError if starts are given but not one for each end.
+void check_scan(const Scan& scan);
+
+/// Turns a scan into integers (docs/model.md, section 3). Throws as `check_scan` does.
 [[nodiscard]] ScanRays quantize_scan(const Scan& scan, const Eigen::Isometry3d& world_from_sensor,
                                      const MapperOptions& options, const Window& window);
 

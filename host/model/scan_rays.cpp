@@ -51,13 +51,17 @@ std::optional<SubPoint> window_relative(const Eigen::Vector3d& position_m, doubl
                     static_cast<std::int32_t>(sub.z())};
 }
 
-ScanRays quantize_scan(const Scan& scan, const Eigen::Isometry3d& world_from_sensor,
-                       const MapperOptions& options, const Window& window) {
+void check_scan(const Scan& scan) {
     if (!scan.starts_m.empty() && scan.starts_m.size() != scan.ends_m.size()) {
         throw UsageError(
             fmt::format("scan at {:.6f} s: {} starts for {} ends; give one each or none",
                         scan.time_s, scan.starts_m.size(), scan.ends_m.size()));
     }
+}
+
+ScanRays quantize_scan(const Scan& scan, const Eigen::Isometry3d& world_from_sensor,
+                       const MapperOptions& options, const Window& window) {
+    check_scan(scan);
     ScanRays result;
     result.rays.reserve(scan.ends_m.size());
     for (std::size_t i = 0; i < scan.ends_m.size(); ++i) {

@@ -35,12 +35,10 @@ public:
 
     /// Cells of the zone at `place`; all 0 if it held none before.
     std::span<Cell> touch(std::uint32_t place) {
-        auto& cells = table_[place];
-        if (!cells) {
-            cells = take_zeroed();
-            held_.push_back(place);
+        if (!table_[place]) {
+            hold(place);
         }
-        return {cells.get(), zone_cells_};
+        return {table_[place].get(), zone_cells_};
     }
 
     /// Drops all cells; keeps the memory for later zones.
@@ -80,14 +78,15 @@ private:
         return edge * edge * edge;
     }
 
-    std::unique_ptr<Cell[]> take_zeroed() {
+    [[gnu::noinline]] void hold(std::uint32_t place) {
         if (spare_.empty()) {
-            return std::make_unique<Cell[]>(zone_cells_);
+            table_[place] = std::make_unique<Cell[]>(zone_cells_);
+        } else {
+            table_[place] = std::move(spare_.back());
+            spare_.pop_back();
+            std::fill_n(table_[place].get(), zone_cells_, Cell{});
         }
-        auto cells = std::move(spare_.back());
-        spare_.pop_back();
-        std::fill_n(cells.get(), zone_cells_, Cell{});
-        return cells;
+        held_.push_back(place);
     }
 
     Window window_;

@@ -53,13 +53,15 @@ void for_each_sub_ray(const ImageRays& rays, Visit&& visit) {
 } // namespace
 
 void integrate_image(const ImageRays& rays, LocalMap& local_map) {
+    const SegmentPens pens(rays.origin, ZG_STATEMENT_FREE, local_map);
     for_each_sub_ray(rays, [&](const Direction& direction, const PixelDepth& depth) {
-        draw_segment(rays.origin, rays.point_at(direction, depth.near), ZG_STATEMENT_FREE,
-                     local_map);
+        pens.draw_to(rays.point_at(direction, depth.near));
     });
     // Obstacles last, all of them: occupied beats free in whatever order the pixels come.
     for_each_sub_ray(rays, [&](const Direction& direction, const PixelDepth& depth) {
-        if (depth.far >= 0) {
+        if (depth.far == depth.near) {
+            draw_point(rays.point_at(direction, depth.far), ZG_STATEMENT_OCCUPIED, local_map);
+        } else if (depth.far >= 0) {
             draw_segment(rays.point_at(direction, depth.near), rays.point_at(direction, depth.far),
                          ZG_STATEMENT_OCCUPIED, local_map);
         }

@@ -11,7 +11,7 @@ void integrate_scan(const ScanRays& scan, LocalMap& local_map) {
     // Obstacles last, all of them: occupied beats free in whatever order the rays come.
     for (const auto& ray : scan.rays) {
         if (ray.hit) {
-            draw_segment(ray.end, ray.end, ZG_STATEMENT_OCCUPIED, local_map);
+            draw_point(ray.end, ZG_STATEMENT_OCCUPIED, local_map);
         }
     }
 }

@@ -1,0 +1,174 @@
+#include "reference/integrate_image.h"
+
+#include "field_scene.h"
+#include "model/segment_walk.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace zonegrid::bench {
+namespace {
+
+/// The field scene as integers, on its window.
+struct Field {
+    Field(double cell_m, SensorModel model) : scene(make_field_scene()), window(32, 1, 1) {
+        MapperOptions options;
+        options.cell_m = cell_m;
+        options.model = model;
+        scene.camera.stereo = StereoNoise{0.30, 0.25};
+        window = make_window(options, scene.camera);
+        window.move_to(*cell_of(scene.world_from_camera.translation(), cell_m));
+        ImageQuantizer(scene.camera, options)
+            .quantize(scene.depth_m, scene.world_from_camera, window, rays);
+    }
+
+    FieldScene scene;
+    Window window;
+    ImageRays rays;
+};
+
+/// The walk of docs/model.md, section 4, with nothing around it: one dense array over the whole
+/// window, one byte a cell. What the zoned local map is measured against.
+class DenseWalk {
+public:
+    explicit DenseWalk(const Window& window)
+        : edge_(window.edge_cells()),
+          statements_(static_cast<std::size_t>(edge_) * static_cast<std::size_t>(edge_) *
+                      static_cast<std::size_t>(edge_)) {}
+
+    void draw(const ImageRays& rays) {
+        for_each_pixel(rays, [&](const Direction& direction, const PixelDepth& depth) {
+            walk(rays.origin, rays.point_at(direction, depth.near));
+        });
+        for_each_pixel(rays, [&](const Direction& direction, const PixelDepth& depth) {
+            if (depth.far >= 0) {
+                const SubPoint end = rays.point_at(direction, depth.far);
+                statements_[index_of(end)] = ZG_STATEMENT_OCCUPIED;
+            }
+        });
+    }
+
+    [[nodiscard]] std::size_t count(std::uint8_t statement) const {
+        std::size_t found = 0;
+        for (const auto cell : statements_) {
+            found += cell == statement ? 1U : 0U;
+        }
+        return found;
+    }
+
+private:
+    template <class Visit>
+    static void for_each_pixel(const ImageRays& rays, Visit&& visit) {
+        std::size_t pixel = 0;
+        for (std::int32_t v_px = 0; v_px < rays.height_px; ++v_px) {
+            for (std::int32_t u_px = 0; u_px < rays.width_px; ++u_px, ++pixel) {
+                if (rays.depths[pixel].near >= 0) {
+                    visit(rays.direction(u_px, v_px), rays.depths[pixel]);
+                }
+            }
+        }
+    }
+
+    [[nodiscard]] std::size_t index_of(const SubPoint& point) const {
+        const auto cell = [](std::int32_t sub) {
+            return static_cast<std::size_t>(sub >> ZG_SUB_BITS);
+        };
+        const auto edge = static_cast<std::size_t>(edge_);
+        return (cell(point.z) * edge + cell(point.y)) * edge + cell(point.x);
+    }
+
+    void walk(const SubPoint& start, const SubPoint& end) {
+        struct Pen {
+            std::uint8_t* cell;
+            std::ptrdiff_t step_x;
+            std::ptrdiff_t step_y;
+            std::ptrdiff_t step_z;
+            std::int32_t left;
+            void cross_x() { cell += step_x; }
+            void cross_y() { cell += step_y; }
+            void cross_z() { cell += step_z; }
+            bool arrive() {
+                if (--left < 0) {
+                    return false;
+                }
+                *cell = ZG_STATEMENT_FREE;
+                return true;
+            }
+        };
+        const Segment segment(start, end);
+        const std::ptrdiff_t edge = edge_;
+        std::uint8_t* const first = statements_.data() + index_of(start);
+        *first = ZG_STATEMENT_FREE;
+        walk_segment(segment, Pen{first, segment.x.sign, segment.y.sign * edge,
+                                  segment.z.sign * edge * edge, segment.crossings()});
+    }
+
+    std::int32_t edge_;
+    std::vector<std::uint8_t> statements_;
+};
+
+std::size_t count(const LocalMap& local_map, std::uint8_t statement) {
+    std::size_t found = 0;
+    for (const auto place : local_map.held()) {
+        for (const auto cell : local_map.find(place)) {
+            found += cell == statement ? 1U : 0U;
+        }
+    }
+    return found;
+}
+
+double cell_m_of(const benchmark::State& state) {
+    return static_cast<double>(state.range(0)) / 100.0;
+}
+
+/// Reference and dense walk must say the same of the same number of cells.
+std::string problem_with(const Field& field) {
+    LocalMap local_map(field.window);
+    reference::integrate_image(field.rays, local_map);
+    DenseWalk dense(field.window);
+    dense.draw(field.rays);
+    for (const std::uint8_t statement : {ZG_STATEMENT_FREE, ZG_STATEMENT_OCCUPIED}) {
+        if (count(local_map, statement) != dense.count(statement)) {
+            return "the zoned and the dense walk disagree";
+        }
+    }
+    return "";
+}
+
+void integrate_image_dense_walk(benchmark::State& state) {
+    const Field field(cell_m_of(state), SensorModel::line);
+    if (const auto problem = problem_with(field); !problem.empty()) {
+        state.SkipWithError(problem.c_str());
+        return;
+    }
+    DenseWalk dense(field.window);
+    for (auto _ : state) {
+        dense.draw(field.rays);
+    }
+}
+
+void integrate_image_reference(benchmark::State& state, SensorModel model) {
+    const Field field(cell_m_of(state), model);
+    LocalMap local_map(field.window);
+    for (auto _ : state) {
+        local_map.clear();
+        reference::integrate_image(field.rays, local_map);
+    }
+    state.counters["zones"] = static_cast<double>(local_map.held().size());
+}
+
+void walk_sizes(benchmark::internal::Benchmark* benchmark) {
+    benchmark->ArgName("cell_cm")->Arg(100)->Arg(50)->Arg(25)->Arg(10)->Unit(
+        benchmark::kMillisecond);
+}
+
+BENCHMARK(integrate_image_dense_walk)->Apply(walk_sizes);
+BENCHMARK_CAPTURE(integrate_image_reference, line, SensorModel::line)->Apply(walk_sizes)->Arg(5);
+BENCHMARK_CAPTURE(integrate_image_reference, span, SensorModel::span)->Apply(walk_sizes);
+
+} // namespace
+} // namespace zonegrid::bench
