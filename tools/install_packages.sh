@@ -76,8 +76,10 @@ apt() {
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y \
         -o DPkg::Lock::Timeout=300 -o Acquire::Retries=3 "$@" >>"$log" 2>&1 </dev/null
 }
-# An outdated package list is the usual reason for a failure, so it is renewed first.
-if ! apt update || ! apt install --no-install-recommends "${missing[@]}"; then
+# An outdated package list is the usual reason for a failure, so it is renewed first; a foreign source
+# that cannot be reached does no harm as long as the packages are found.
+apt update || true
+if ! apt install --no-install-recommends "${missing[@]}"; then
     tail -n 20 "$log" >&2
     stop "apt-get failed, see above"
 fi
