@@ -64,6 +64,7 @@ public:
     }
 
     ImageResult add_scan(const Scan& scan) {
+        check_scan(scan);
         Stopwatch stopwatch;
         ImageResult result;
         if (!begin(scan.time_s, scan.body_from_sensor, result)) {
@@ -294,6 +295,9 @@ private:
 
 Mapper::Mapper(const MapperOptions& options, const std::optional<Camera>& camera) {
     check_options(options);
+    if (camera) {
+        check_camera(*camera);
+    }
     implementation_ = std::make_unique<Implementation>(options, camera);
 }
 
