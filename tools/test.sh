@@ -56,29 +56,37 @@ omit() {
     summary+=("$(printf '%-24s not run: %s' "$1" "$2")")
 }
 
-# build PRESET [WRAPPER...]: WRAPPER starts the compilation, which also runs each test program to list
-# its tests.
+launcher=() # what starts builds, which run the test programs to list their tests, and test runs
+
+# build PRESET [BUILD OPTION...]
 build() {
-    local preset="$1"
-    shift
-    rm -f "build/$preset/ctest.log"
-    cmake --preset "$preset" && "$@" cmake --build --preset "$preset" --parallel "$jobs"
+    rm -f "build/$1/ctest.log"
+    cmake --preset "$1" &&
+        "${launcher[@]}" cmake --build --preset "$1" --parallel "$jobs" "${@:2}"
 }
 
-# run_tests PRESET [WRAPPER...]: the log stays in the build folder for the summary.
+# run_tests PRESET [CTEST OPTION...]: the log stays in the build folder for the summary.
 run_tests() {
-    local preset="$1"
-    shift
-    "$@" ctest --preset "$preset" --parallel "$jobs" --no-tests=error 2>&1 |
-        tee "build/$preset/ctest.log"
+    "${launcher[@]}" ctest --preset "$1" --parallel "$jobs" --no-tests=error "${@:2}" 2>&1 |
+        tee "build/$1/ctest.log"
 }
 
 build_and_test() {
-    if stage "build $1" build "$@"; then
-        stage "test $1" run_tests "$@"
+    if stage "build $1" build "$1"; then
+        stage "test $1" run_tests "$1"
     else
         omit "test $1" "its build failed"
     fi
+}
+
+# The pipeline is what an application may drive from threads of its own. The thread sanitizer cannot
+# place its shadow memory under some kernels' address randomisation, so that is turned off if allowed.
+test_threads() {
+    local launcher=()
+    if setarch "$(uname -m)" -R true 2>/dev/null; then
+        launcher=(setarch "$(uname -m)" -R)
+    fi
+    build tsan --target pipeline_tests && run_tests tsan -R '^pipeline\.'
 }
 
 # sources PATTERN...: the project's files whose names match, one a line.
@@ -106,11 +114,6 @@ check_tidy() {
         sed '/^[0-9]* warnings* generated\.$/d'
 }
 
-# The thread sanitizer cannot place its shadow memory under some kernels' address randomisation.
-fixed_addresses=()
-if setarch "$(uname -m)" -R true 2>/dev/null; then
-    fixed_addresses=(setarch "$(uname -m)" -R)
-fi
 export UBSAN_OPTIONS=print_stacktrace=1
 if command -v ccache >/dev/null; then
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache
@@ -145,7 +148,7 @@ if [[ $quick == no ]]; then
         omit "clang-tidy" "--no-tidy"
     fi
     build_and_test asan
-    build_and_test tsan "${fixed_addresses[@]}"
+    stage "build and test tsan" test_threads
 fi
 
 printf '\n== Summary\n'
