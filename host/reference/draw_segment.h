@@ -26,7 +26,7 @@ public:
         std::int32_t index = 0;
         for (std::size_t i = 0; i < 3; ++i) {
             const std::int32_t within = cells[i] % edge_;
-            step_[i] = signs[i] * stride;
+            step_[i] = std::ptrdiff_t{signs[i]} * stride;
             place_step_[i] = signs[i] * place_stride;
             left_ |= (signs[i] > 0 ? edge_ - 1 - within : within) << (field_bits * i);
             index += within * stride;
