@@ -248,6 +248,9 @@ private:
         if (!cut_height_m) {
             return std::numeric_limits<std::int32_t>::min();
         }
+        if (std::isnan(*cut_height_m)) {
+            throw UsageError("cut height is not a number: give a height in metres");
+        }
         return static_cast<std::int32_t>(
             std::clamp(std::ceil(-*cut_height_m / options_.cell_m), lowest, highest));
     }
@@ -262,8 +265,8 @@ private:
             for (std::int32_t y = 0; y < edge; ++y) {
                 for (auto zone = row; zone != row_end; ++zone) {
                     for (std::int32_t z = 0; z < edge; ++z) {
-                        const auto index = static_cast<std::size_t>((z * edge + y) * edge + x);
-                        const int cell_value = zone->second[index];
+                        const std::int32_t index = (z * edge + y) * edge + x;
+                        const int cell_value = zone->second[static_cast<std::size_t>(index)];
                         if (cell_value != 0) {
                             visit({zone_x * edge + x, zone_y * edge + y,
                                    zone->first.second * edge + z},

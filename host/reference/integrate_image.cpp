@@ -2,6 +2,8 @@
 
 #include "reference/draw_segment.h"
 
+#include <algorithm>
+
 namespace zonegrid::reference {
 
 namespace {
@@ -53,6 +55,10 @@ void for_each_sub_ray(const ImageRays& rays, Visit&& visit) {
 } // namespace
 
 void integrate_image(const ImageRays& rays, LocalMap& local_map) {
+    // The pens touch the camera's zone: a blind image must touch none.
+    if (std::ranges::none_of(rays.depths, [](const auto& depth) { return depth.near >= 0; })) {
+        return;
+    }
     const SegmentPens pens(rays.origin, ZG_STATEMENT_FREE, local_map);
     for_each_sub_ray(rays, [&](const Direction& direction, const PixelDepth& depth) {
         pens.draw_to(rays.point_at(direction, depth.near));

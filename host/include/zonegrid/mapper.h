@@ -56,6 +56,8 @@ public:
     /// work, CapacityError if cell and range do not fit a window of 2048 cells an axis.
     explicit Mapper(const MapperOptions& options, const std::optional<Camera>& camera = {});
     ~Mapper();
+    Mapper(const Mapper&) = delete;
+    Mapper& operator=(const Mapper&) = delete;
     Mapper(Mapper&&) noexcept;
     Mapper& operator=(Mapper&&) noexcept;
 
@@ -75,7 +77,7 @@ public:
     [[nodiscard]] std::vector<Object> objects();
 
     /// Highest occupied cells, in the window and remembered. Cells higher than `cut_height_m`
-    /// metres above the world's origin are left out.
+    /// metres above the world's origin are left out. Throws UsageError if that is NaN.
     [[nodiscard]] HeightProfile height_profile(std::optional<double> cut_height_m = {}) const;
 
     /// Value of a cell; 0 outside the window.
