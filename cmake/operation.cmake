@@ -3,7 +3,7 @@
 function(zonegrid_operation name)
   foreach(file host/reference/${name}.h host/reference/${name}.cpp
                tests/ops/${name}_test.cpp bench/${name}_bench.cpp)
-    if(NOT EXISTS ${CMAKE_SOURCE_DIR}/${file})
+    if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${file})
       message(FATAL_ERROR "operation ${name}: ${file} is missing")
     endif()
   endforeach()
