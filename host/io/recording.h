@@ -108,9 +108,9 @@ enum class WorldAxes {
 struct RecordingOptions {
     std::string layout = "auto"; ///< auto, tum, poses, kitti, clouds or plain
     WorldAxes world_axes = WorldAxes::layout_default;
-    std::optional<std::array<double, 4>> intrinsics; ///< fx fy cx cy in pixels
-    std::optional<double> depth_units_per_m;         ///< value of a 16-bit pixel at 1 m
-    std::optional<StereoNoise> stereo;
+    std::optional<std::array<double, 4>> intrinsics{}; ///< fx fy cx cy in pixels
+    std::optional<double> depth_units_per_m{};         ///< value of a 16-bit pixel at 1 m
+    std::optional<StereoNoise> stereo{}; ///< of stereo cameras: baseline and disparity deviation
 };
 
 /// Opens `path`, a folder, and recognises its layout. Lists and navigation are read and checked
