@@ -2,6 +2,7 @@
 #include "model/segment_walk.h"
 #include "support/oracle_random.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,10 +36,7 @@ SubPoint point(Random& random, std::int32_t low, std::int32_t high) {
 }
 
 std::string describe(const SubPoint& start, const SubPoint& end) {
-    const auto text = [](const SubPoint& p) {
-        return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " + std::to_string(p.z) +
-               ")";
-    };
+    const auto text = [](const SubPoint& p) { return fmt::format("({}, {}, {})", p.x, p.y, p.z); };
     return text(start) + " to " + text(end);
 }
 
