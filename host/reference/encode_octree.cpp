@@ -14,15 +14,16 @@ CellIndex child_origin(const CellIndex& origin, std::uint32_t child, std::int32_
             origin.z + ((child & 4U) != 0 ? half : 0)};
 }
 
-/// Writes the node that covers `cells` and, after it, its subtrees. `cells` is reordered.
-void encode_node(std::span<CellIndex> cells, const CellIndex& origin, std::int32_t edge,
-                 std::vector<std::uint8_t>& octree) {
+/// Writes the node that covers `cells` and, after it, its subtrees. `spare` is as long as `cells`;
+/// both are overwritten.
+void encode_node(std::span<CellIndex> cells, std::span<CellIndex> spare, const CellIndex& origin,
+                 std::int32_t edge, std::vector<std::uint8_t>& octree) {
     const std::int32_t half = edge / 2;
     const auto child_of = [&](const CellIndex& cell) {
         return (cell.x - origin.x >= half ? 1U : 0U) | (cell.y - origin.y >= half ? 2U : 0U) |
                (cell.z - origin.z >= half ? 4U : 0U);
     };
-    // 1. Sort the cells by child.
+    // 1. Move the cells to `spare`, child by child.
     std::array<std::size_t, 9> begin{};
     for (const auto& cell : cells) {
         ++begin[child_of(cell) + 1];
@@ -30,7 +31,10 @@ void encode_node(std::span<CellIndex> cells, const CellIndex& origin, std::int32
     for (std::size_t child = 0; child < 8; ++child) {
         begin[child + 1] += begin[child];
     }
-    std::ranges::sort(cells, {}, child_of);
+    auto next = begin;
+    for (const auto& cell : cells) {
+        spare[next[child_of(cell)]++] = cell;
+    }
     // 2. Write the node.
     const auto full = static_cast<std::size_t>(half) * static_cast<std::size_t>(half) *
                       static_cast<std::size_t>(half);
@@ -48,7 +52,8 @@ void encode_node(std::span<CellIndex> cells, const CellIndex& origin, std::int32
     // 3. Descend.
     for (std::uint32_t child = 0; child < 8; ++child) {
         if (states[child] == ChildState::some) {
-            encode_node(cells.subspan(begin[child], begin[child + 1] - begin[child]),
+            const std::size_t count = begin[child + 1] - begin[child];
+            encode_node(spare.subspan(begin[child], count), cells.subspan(begin[child], count),
                         child_origin(origin, child, half), half, octree);
         }
     }
@@ -119,8 +124,9 @@ private:
 
 std::vector<std::uint8_t> encode_octree(std::span<const CellIndex> cells, const TreeRoot& root) {
     std::vector<CellIndex> sorted(cells.begin(), cells.end());
+    std::vector<CellIndex> spare(cells.size());
     std::vector<std::uint8_t> octree;
-    encode_node(sorted, root.origin, root.edge, octree);
+    encode_node(sorted, spare, root.origin, root.edge, octree);
     return octree;
 }
 

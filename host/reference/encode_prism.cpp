@@ -1,6 +1,5 @@
 #include "reference/encode_prism.h"
 
-#include <algorithm>
 #include <array>
 
 namespace zonegrid::reference {
@@ -10,40 +9,56 @@ namespace {
 struct Column {
     std::int32_t x = 0;
     std::int32_t y = 0;
-    friend auto operator<=>(const Column&, const Column&) = default;
 };
 
-/// Writes the node that covers `columns` and, after it, its subtrees. `columns` is reordered.
-void encode_node(std::span<Column> columns, const Column& origin, std::int32_t edge,
-                 std::vector<std::uint8_t>& prism) {
+/// Writes the node that covers `columns` and, after it, its subtrees; returns whether the ground
+/// plan fills it, in which case nothing has been written. `columns` is not empty and may name a
+/// column many times; `spare` is as long; both are overwritten.
+bool encode_node(std::span<Column> columns, std::span<Column> spare, const Column& origin,
+                 std::int32_t edge, std::vector<std::uint8_t>& prism) {
+    if (edge == 1) {
+        return true;
+    }
     const std::int32_t half = edge / 2;
     const auto child_of = [&](const Column& column) {
         return (column.x - origin.x >= half ? 1U : 0U) | (column.y - origin.y >= half ? 2U : 0U);
     };
-    std::ranges::sort(columns, {}, child_of);
-    std::array<std::span<Column>, 4> children;
+    // 1. Move the columns to `spare`, child by child.
+    std::array<std::size_t, 5> begin{};
+    for (const auto& column : columns) {
+        ++begin[child_of(column) + 1];
+    }
+    for (std::size_t child = 0; child < 4; ++child) {
+        begin[child + 1] += begin[child];
+    }
+    auto next = begin;
+    for (const auto& column : columns) {
+        spare[next[child_of(column)]++] = column;
+    }
+    // 2. Descend; only then it is known which children are full.
+    const std::size_t place = prism.size();
+    prism.push_back(0);
     std::uint32_t node = 0;
-    std::size_t begin = 0;
     for (std::uint32_t child = 0; child < 4; ++child) {
-        const auto count =
-            static_cast<std::size_t>(std::ranges::count(columns.subspan(begin), child, child_of));
-        children[child] = columns.subspan(begin, count);
-        begin += count;
-        const auto full = static_cast<std::size_t>(half) * static_cast<std::size_t>(half);
-        const auto state = count == 0      ? ChildState::none
-                           : count == full ? ChildState::all
-                                           : ChildState::some;
+        const std::size_t count = begin[child + 1] - begin[child];
+        if (count == 0) {
+            continue;
+        }
+        const bool full = encode_node(
+            spare.subspan(begin[child], count), columns.subspan(begin[child], count),
+            {origin.x + ((child & 1U) != 0 ? half : 0), origin.y + ((child & 2U) != 0 ? half : 0)},
+            half, prism);
+        const auto state = full ? ChildState::all : ChildState::some;
         node |= static_cast<std::uint32_t>(state) << (2 * child);
     }
-    prism.push_back(static_cast<std::uint8_t>(node));
-    for (std::uint32_t child = 0; child < 4; ++child) {
-        if (static_cast<ChildState>(node >> (2 * child) & 3U) == ChildState::some) {
-            encode_node(children[child],
-                        {origin.x + ((child & 1U) != 0 ? half : 0),
-                         origin.y + ((child & 2U) != 0 ? half : 0)},
-                        half, prism);
-        }
+    // 3. Write the node.
+    constexpr std::uint32_t all_full = 0x55;
+    if (node == all_full) {
+        prism.resize(place);
+        return true;
     }
+    prism[place] = static_cast<std::uint8_t>(node);
+    return false;
 }
 
 } // namespace
@@ -54,11 +69,11 @@ std::vector<std::uint8_t> encode_prism(std::span<const CellIndex> cells, const T
     for (const auto& cell : cells) {
         columns.push_back({cell.x, cell.y});
     }
-    std::ranges::sort(columns);
-    const auto doubled = std::ranges::unique(columns);
-    columns.erase(doubled.begin(), doubled.end());
+    std::vector<Column> spare(columns.size());
     std::vector<std::uint8_t> prism;
-    encode_node(columns, {root.origin.x, root.origin.y}, root.edge, prism);
+    if (encode_node(columns, spare, {root.origin.x, root.origin.y}, root.edge, prism)) {
+        prism.push_back(0x55); // the root is always written
+    }
     return prism;
 }
 

@@ -1,16 +1,29 @@
 #include "reference/label_components.h"
 
 #include <algorithm>
-#include <utility>
+#include <bit>
 
 namespace zonegrid::reference {
 
 namespace {
 
+struct PlaceInZone {
+    std::uint32_t x;
+    std::uint32_t y;
+    std::uint32_t z;
+};
+
+/// `edge` is a power of two: shifts, because a division costs more than all else here.
+PlaceInZone coordinates_in_zone(std::uint32_t index, std::uint32_t edge) {
+    const auto bits = static_cast<std::uint32_t>(std::countr_zero(edge));
+    return {index & (edge - 1), index >> bits & (edge - 1), index >> (2 * bits)};
+}
+
 /// Calls `visit(index)` for the up to six neighbours of a cell inside its zone.
 template <class Visit>
 void for_each_neighbour(std::uint32_t index, std::uint32_t edge, Visit&& visit) {
-    const std::uint32_t coordinates[3] = {index % edge, index / edge % edge, index / edge / edge};
+    const auto [x, y, z] = coordinates_in_zone(index, edge);
+    const std::uint32_t coordinates[3] = {x, y, z};
     std::uint32_t stride = 1;
     for (const auto coordinate : coordinates) {
         if (coordinate > 0) {
@@ -46,9 +59,7 @@ Piece flood(ZoneBits& left, std::uint32_t seed, std::uint32_t edge) {
 /// Enters a piece's cells into the layers at the zone's faces.
 void enter_layers(const Piece& piece, std::uint16_t label, std::uint32_t edge, ZonePieces& zone) {
     for (const std::uint32_t index : piece) {
-        const std::uint32_t x = index % edge;
-        const std::uint32_t y = index / edge % edge;
-        const std::uint32_t z = index / edge / edge;
+        const auto [x, y, z] = coordinates_in_zone(index, edge);
         const std::uint32_t place[3] = {z * edge + y, z * edge + x, y * edge + x};
         const std::uint32_t depth[3] = {x, y, z};
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -67,40 +78,55 @@ ZoneIndex next_on_axis(ZoneIndex zone, std::size_t axis) {
     return zone;
 }
 
-using Neighbours = std::map<PieceReference, std::vector<PieceReference>>;
-
-/// Which pieces touch across the face between a zone and the next one on `axis`.
-void link_across(const ZoneIndex& zone, const ZonePieces& pieces, const ZoneIndex& next_zone,
-                 const ZonePieces& next_pieces, std::size_t axis, Neighbours& neighbours) {
-    const auto& here = pieces.last_layer[axis];
-    const auto& there = next_pieces.first_layer[axis];
-    std::vector<std::pair<std::uint16_t, std::uint16_t>> links;
-    for (std::size_t i = 0; i < here.size(); ++i) {
-        const std::pair link{here[i], there[i]};
-        if (here[i] != 0 && there[i] != 0 && (links.empty() || links.back() != link)) {
-            links.push_back(link);
+/// All pieces of all zones, numbered from 0, and which of them touch.
+class PieceGraph {
+public:
+    explicit PieceGraph(const std::map<ZoneIndex, ZonePieces>& zones) {
+        for (const auto& [zone, pieces] : zones) {
+            first_number_.emplace_hint(first_number_.end(), zone, pieces_.size());
+            for (std::size_t piece = 0; piece < pieces.pieces.size(); ++piece) {
+                pieces_.push_back({zone, static_cast<std::uint16_t>(piece)});
+            }
         }
-    }
-    for (const auto& [a, b] : links) {
-        const PieceReference first{zone, static_cast<std::uint16_t>(a - 1)};
-        const PieceReference second{next_zone, static_cast<std::uint16_t>(b - 1)};
-        neighbours[first].push_back(second);
-        neighbours[second].push_back(first);
-    }
-}
-
-Neighbours link_pieces(const std::map<ZoneIndex, ZonePieces>& zones) {
-    Neighbours neighbours;
-    for (const auto& [zone, pieces] : zones) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto next = zones.find(next_on_axis(zone, axis));
-            if (next != zones.end()) {
-                link_across(zone, pieces, next->first, next->second, axis, neighbours);
+        touching_.resize(pieces_.size());
+        for (const auto& [zone, pieces] : zones) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const auto next = zones.find(next_on_axis(zone, axis));
+                if (next != zones.end()) {
+                    link(first_number_.at(zone), pieces.last_layer[axis],
+                         first_number_.at(next->first), next->second.first_layer[axis]);
+                }
             }
         }
     }
-    return neighbours;
-}
+
+    [[nodiscard]] const std::vector<PieceReference>& pieces() const { return pieces_; }
+    [[nodiscard]] const std::vector<std::size_t>& touching(std::size_t number) const {
+        return touching_[number];
+    }
+
+private:
+    /// Links the pieces of two zones that share a face: a layer on either side of it.
+    void link(std::size_t first, const std::vector<std::uint16_t>& layer, std::size_t next_first,
+              const std::vector<std::uint16_t>& next_layer) {
+        std::uint32_t last = 0;
+        for (std::size_t i = 0; i < layer.size(); ++i) {
+            const std::uint32_t both = std::uint32_t{layer[i]} << 16U | next_layer[i];
+            if (layer[i] == 0 || next_layer[i] == 0 || both == last) {
+                continue;
+            }
+            last = both; // most often the same two pieces touch along the whole face
+            const std::size_t a = first + layer[i] - 1;
+            const std::size_t b = next_first + next_layer[i] - 1;
+            touching_[a].push_back(b);
+            touching_[b].push_back(a);
+        }
+    }
+
+    std::map<ZoneIndex, std::size_t> first_number_;
+    std::vector<PieceReference> pieces_;
+    std::vector<std::vector<std::size_t>> touching_;
+};
 
 } // namespace
 
@@ -123,34 +149,28 @@ ZonePieces label_zone(const ZoneBits& occupied, std::int32_t zone_edge) {
 }
 
 std::vector<std::vector<PieceReference>> join_pieces(const std::map<ZoneIndex, ZonePieces>& zones) {
-    const Neighbours neighbours = link_pieces(zones);
-    std::map<ZoneIndex, std::vector<bool>> reached;
-    for (const auto& [zone, pieces] : zones) {
-        reached.emplace(zone, std::vector<bool>(pieces.pieces.size(), false));
-    }
+    const PieceGraph graph(zones);
+    std::vector<bool> reached(graph.pieces().size(), false);
     std::vector<std::vector<PieceReference>> components;
-    const auto flood_from = [&](const PieceReference& seed) {
-        std::vector<PieceReference> component{seed};
-        reached[seed.zone][seed.piece] = true;
-        for (std::size_t next = 0; next < component.size(); ++next) {
-            const auto linked = neighbours.find(component[next]);
-            if (linked == neighbours.end()) {
-                continue;
-            }
-            for (const auto& neighbour : linked->second) {
-                if (!reached[neighbour.zone][neighbour.piece]) {
-                    reached[neighbour.zone][neighbour.piece] = true;
-                    component.push_back(neighbour);
-                }
-            }
+    std::vector<std::size_t> open;
+    const auto reach = [&](std::size_t number) {
+        if (!reached[number]) {
+            reached[number] = true;
+            open.push_back(number);
         }
-        components.push_back(std::move(component));
     };
-    for (const auto& [zone, pieces] : zones) {
-        for (std::size_t piece = 0; piece < pieces.pieces.size(); ++piece) {
-            const PieceReference seed{zone, static_cast<std::uint16_t>(piece)};
-            if (!reached[zone][piece]) {
-                flood_from(seed);
+    for (std::size_t seed = 0; seed < reached.size(); ++seed) {
+        if (reached[seed]) {
+            continue;
+        }
+        reach(seed);
+        auto& component = components.emplace_back();
+        while (!open.empty()) {
+            const std::size_t number = open.back();
+            open.pop_back();
+            component.push_back(graph.pieces()[number]);
+            for (const auto neighbour : graph.touching(number)) {
+                reach(neighbour);
             }
         }
     }
