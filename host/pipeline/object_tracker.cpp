@@ -5,11 +5,12 @@
 #include "reference/measure_objects.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace zonegrid {
 
 void ObjectTracker::set_zone(const ZoneIndex& zone, const ZoneBits& occupied) {
-    stale_ = true;
+    changed_.insert(zone);
     if (occupied.any()) {
         zones_[zone] = reference::label_zone(occupied, zone_edge_);
     } else {
@@ -18,18 +19,30 @@ void ObjectTracker::set_zone(const ZoneIndex& zone, const ZoneBits& occupied) {
 }
 
 const std::vector<Object>& ObjectTracker::objects() {
-    if (stale_) {
-        objects_.clear();
-        for (const auto& component : reference::join_pieces(zones_)) {
-            objects_.push_back(describe(component));
-        }
-        std::ranges::sort(objects_, {}, &Object::id);
-        stale_ = false;
+    if (changed_.empty()) {
+        return objects_;
     }
+    objects_.clear();
+    std::map<Component, Object> described;
+    for (auto& component : reference::join_pieces(zones_)) {
+        // The same pieces of unchanged zones are the same cells.
+        const auto known = is_unchanged(component) ? described_.find(component) : described_.end();
+        Object object = known != described_.end() ? std::move(known->second) : describe(component);
+        objects_.push_back(object);
+        described.emplace(std::move(component), std::move(object));
+    }
+    described_ = std::move(described);
+    std::ranges::sort(objects_, {}, &Object::id);
+    changed_.clear();
     return objects_;
 }
 
-Object ObjectTracker::describe(const std::vector<reference::PieceReference>& component) const {
+bool ObjectTracker::is_unchanged(const Component& component) const {
+    return std::ranges::none_of(
+        component, [this](const auto& piece) { return changed_.contains(piece.zone); });
+}
+
+Object ObjectTracker::describe(const Component& component) const {
     std::vector<CellIndex> cells;
     for (const auto& [zone, piece] : component) {
         for (const auto index : zones_.at(zone).pieces[piece]) {
