@@ -155,6 +155,33 @@ TEST(IntegrateImage, SpanFillsThePixelsPyramid) {
     EXPECT_FALSE(cells.contains({7, 3, 0}));
 }
 
+TEST(IntegrateImage, TiesGoToZThenY) {
+    Worked image(3); // rays to the left, ahead and to the right, at 45 degrees
+    image.camera.fx_px = 1.0;
+    image.camera.cx_px = 1.0;
+    // To the right: x and y meet their borders together, y is crossed first.
+    CellValues expected{{{0, 0, 0}, free_cell},
+                        {{0, 1, 0}, free_cell},
+                        {{1, 1, 0}, free_cell},
+                        {{1, 2, 0}, free_cell},
+                        {{2, 2, 0}, occupied_cell}};
+    EXPECT_EQ(image({missing, missing, 2.0F}), expected);
+    // To the left as well, from the same place in the cell seen the other way round.
+    image.world_from_camera.translation().y() = 0.5 - 1.0 / 256.0;
+    expected = {{{0, 0, 0}, free_cell},
+                {{0, -1, 0}, free_cell},
+                {{1, -1, 0}, free_cell},
+                {{1, -2, 0}, free_cell},
+                {{2, -2, 0}, occupied_cell}};
+    EXPECT_EQ(image({2.0F, missing, missing}), expected);
+    // Up, by a camera that lies on its side: z is crossed before y and x.
+    image.world_from_camera.translation().y() = 0.5;
+    image.world_from_camera.linear().col(0) = Eigen::Vector3d::UnitZ();
+    image.world_from_camera.linear().col(1) = -Eigen::Vector3d::UnitY();
+    expected = {{{0, 0, 0}, free_cell}, {{0, 0, 1}, free_cell}, {{1, 0, 1}, occupied_cell}};
+    EXPECT_EQ(image({missing, missing, 1.0F}), expected);
+}
+
 TEST(IntegrateImage, EqualsTheOracle) {
     constexpr std::uint64_t first_seed = 1000;
     constexpr std::uint64_t images = 1200;

@@ -1,5 +1,6 @@
 #include "support/oracle_scenes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -88,9 +89,9 @@ Camera random_camera(Random& random) {
     camera.fy_px = camera.height_px * random.real(0.35, 2.5);
     camera.cx_px = (camera.width_px - 1) * random.real(0.35, 0.65);
     camera.cy_px = (camera.height_px - 1) * random.real(0.35, 0.65);
-    if (random.chance(0.2)) { // whole numbers: rays on edges and corners
-        camera.fx_px = camera.width_px;
-        camera.fy_px = camera.fx_px > camera.height_px / 2.0 ? camera.fx_px : camera.height_px;
+    if (random.chance(0.3)) { // whole slopes: rays that meet edges and corners exactly
+        camera.fx_px = std::max(1, (camera.width_px - 1) / 2);
+        camera.fy_px = std::max(1, (camera.height_px - 1) / 2);
         camera.cx_px = (camera.width_px - 1) / 2;
         camera.cy_px = (camera.height_px - 1) / 2;
     }
@@ -131,7 +132,7 @@ MapperOptions random_options(Random& random, double range_cells) {
 }
 
 Eigen::Quaterniond random_attitude(Random& random) {
-    if (random.chance(0.25)) {
+    if (random.chance(0.4)) {
         const Eigen::Quaterniond right(0.5, 0.5, 0.5, 0.5);
         Eigen::Quaterniond turned = Eigen::Quaterniond::Identity();
         for (int n = random.pick(0, 2); n > 0; --n) {
@@ -147,8 +148,9 @@ Eigen::Quaterniond random_attitude(Random& random) {
 
 Eigen::Vector3d random_position(Random& random, double cell_m, double most) {
     const auto whole = static_cast<std::int64_t>(most);
+    const bool all_exact = random.chance(0.3);
     const auto coordinate = [&]() -> double {
-        if (random.chance(0.25)) {
+        if (all_exact || random.chance(0.2)) {
             return static_cast<double>(random.whole(-2 * whole, 2 * whole)) / 2.0 * cell_m;
         }
         return random.real(-most, most) * cell_m;

@@ -8,17 +8,17 @@
 
 namespace zonegrid::oracle {
 
-/// Odd sizes, from 1 x 1 to 16 x 12; every third with a table of directions, some with stereo;
-/// mounted anyhow.
+/// Odd sizes, from 1 x 1 to 16 x 12; every third with a table of directions, some with stereo, some
+/// with whole slopes; mounted anyhow.
 [[nodiscard]] Camera random_camera(Random& random);
 
 /// Small range in cells (at most `range_cells`), so that exact intersection stays quick.
 [[nodiscard]] MapperOptions random_options(Random& random, double range_cells);
 
-/// Any turn, a quarter of them exact quarter turns, which put many rays on edges and corners.
+/// Any turn, two in five of them exact quarter turns, which put rays on edges and corners.
 [[nodiscard]] Eigen::Quaterniond random_attitude(Random& random);
 
-/// Within +-`most` cells of the origin; a quarter exactly on cell borders or their middles.
+/// Within +-`most` cells of the origin, often exactly on cell borders or half way between them.
 [[nodiscard]] Eigen::Vector3d random_position(Random& random, double cell_m, double most);
 
 /// What depth images of `random_depths` look like.
