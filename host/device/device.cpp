@@ -1,0 +1,210 @@
+#include "device/device.h"
+
+#include "device/backends.h"
+#include "device/embedded_code.h"
+#include "zonegrid/errors.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+namespace zonegrid::device {
+
+namespace {
+
+void append_backend(DeviceList (*list)(), DeviceList& all) {
+    try {
+        const DeviceList found = list();
+        all.devices.insert(all.devices.end(), found.devices.begin(), found.devices.end());
+        all.missing.insert(all.missing.end(), found.missing.begin(), found.missing.end());
+    } catch (const std::exception& error) {
+        all.missing.emplace_back(error.what());
+    }
+}
+
+/// "opencl:1" -> "opencl" and 1; "opencl" -> no index. Nothing if it is neither.
+struct DeviceName {
+    std::string_view backend;
+    std::optional<std::uint32_t> index;
+};
+
+std::optional<DeviceName> parse_name(std::string_view name) {
+    DeviceName parsed;
+    const auto colon = name.find(':');
+    parsed.backend = name.substr(0, colon);
+    if (parsed.backend != "opencl" && parsed.backend != "vulkan") {
+        return std::nullopt;
+    }
+    if (colon != std::string_view::npos) {
+        const auto digits = name.substr(colon + 1);
+        std::uint32_t index = 0;
+        const auto [end, error] =
+            std::from_chars(digits.data(), digits.data() + digits.size(), index);
+        if (error != std::errc{} || end != digits.data() + digits.size()) {
+            return std::nullopt;
+        }
+        parsed.index = index;
+    }
+    return parsed;
+}
+
+std::string describe(const DeviceList& list) {
+    std::vector<std::string> found;
+    for (const auto& info : list.devices) {
+        found.push_back(fmt::format("{} ({}, {}{})", info.id(), info.name, info.driver,
+                                    info.refusal.empty() ? "" : ", refused: " + info.refusal));
+    }
+    found.insert(found.end(), list.missing.begin(), list.missing.end());
+    return found.empty() ? "nothing" : fmt::format("{}", fmt::join(found, "; "));
+}
+
+void require_range(const Buffer& buffer, std::uint64_t offset, std::uint64_t bytes) {
+    if (offset > buffer.bytes() || bytes > buffer.bytes() - offset) {
+        throw UsageError(fmt::format("{} bytes at {} of a buffer of {} bytes: keep inside it",
+                                     bytes, offset, buffer.bytes()));
+    }
+}
+
+void require_owner(const void* owner, const Device& device, const char* what) {
+    if (owner != &device) {
+        throw UsageError(
+            fmt::format("a {} of another device was handed to {}: make it with the "
+                        "device that uses it",
+                        what, device.info().id()));
+    }
+}
+
+void require_spec(const KernelSpec& spec, const DeviceInfo& info) {
+    const auto kernel = spec.operation + "." + spec.entry;
+    if (spec.params_bytes > max_params_bytes || spec.params_bytes % 4 != 0) {
+        throw UsageError(
+            fmt::format("kernel {} has {} bytes of params: at most {}, a multiple of 4", kernel,
+                        spec.params_bytes, max_params_bytes));
+    }
+    if (spec.group_items == 0 || spec.group_items > info.limits.group_items) {
+        throw UsageError(fmt::format("kernel {} has work-groups of {} items: {} takes 1 to {}",
+                                     kernel, spec.group_items, info.id(), info.limits.group_items));
+    }
+    if (spec.buffers > info.limits.kernel_buffers) {
+        throw CapacityError(fmt::format("kernel {} takes {} buffers: {} allows {}", kernel,
+                                        spec.buffers, info.id(), info.limits.kernel_buffers));
+    }
+}
+
+} // namespace
+
+DeviceList list_devices() {
+    DeviceList all;
+    append_backend(&list_opencl_devices, all);
+    append_backend(&list_vulkan_devices, all);
+    return all;
+}
+
+std::unique_ptr<Device> open_device(std::string_view name, const DeviceOptions& options) {
+    const auto wanted = parse_name(name);
+    if (!wanted) {
+        throw UsageError(
+            fmt::format("device \"{}\": name a backend, opencl or vulkan, and, if you "
+                        "like, which of its devices: opencl:1",
+                        name));
+    }
+    DeviceList list;
+    append_backend(wanted->backend == "opencl" ? &list_opencl_devices : &list_vulkan_devices, list);
+    const auto chosen = std::ranges::find_if(list.devices, [&](const DeviceInfo& info) {
+        return wanted->index ? info.index == *wanted->index : info.refusal.empty();
+    });
+    if (chosen == list.devices.end()) {
+        throw DeviceError(std::string(name), "there is no such device, or none that can be used",
+                          "found: " + describe(list));
+    }
+    if (!chosen->refusal.empty()) {
+        throw DeviceError(chosen->id(),
+                          chosen->name + " (" + chosen->driver + ") is refused: " + chosen->refusal,
+                          "choose another device");
+    }
+    if (options.timestamps && !chosen->limits.timestamps) {
+        throw DeviceError(chosen->id(), chosen->name + " cannot time its work",
+                          "open it without timestamps");
+    }
+    return wanted->backend == "opencl" ? open_opencl_device(*chosen, options)
+                                       : open_vulkan_device(*chosen, options);
+}
+
+Buffer Device::make_buffer(std::uint64_t bytes) {
+    if (bytes == 0) {
+        throw UsageError("a buffer of 0 bytes was asked for: ask for at least 1");
+    }
+    if (bytes > info_.limits.buffer_bytes) {
+        throw CapacityError(fmt::format("a buffer of {} bytes was asked for: {} ({}) allows {}",
+                                        bytes, info_.id(), info_.name, info_.limits.buffer_bytes));
+    }
+    return {this, bytes, do_make_buffer(bytes)};
+}
+
+Kernel Device::make_kernel(const KernelSpec& spec) {
+    return make_kernel(spec, embedded_code(spec.operation, spec.entry));
+}
+
+Kernel Device::make_kernel(const KernelSpec& spec, const KernelCode& code) {
+    require_spec(spec, info_);
+    return {this, spec, do_make_kernel(spec, code)};
+}
+
+void Device::upload(Buffer& buffer, std::uint64_t offset, std::span<const std::byte> bytes) {
+    require_owner(buffer.owner(), *this, "buffer");
+    require_range(buffer, offset, bytes.size());
+    if (!bytes.empty()) {
+        do_upload(buffer, offset, bytes);
+    }
+}
+
+void Device::download(const Buffer& buffer, std::uint64_t offset, std::span<std::byte> bytes) {
+    require_owner(buffer.owner(), *this, "buffer");
+    require_range(buffer, offset, bytes.size());
+    if (!bytes.empty()) {
+        do_download(buffer, offset, bytes);
+    }
+}
+
+void Device::fill(Buffer& buffer, std::uint64_t offset, std::uint64_t bytes, std::uint32_t word) {
+    require_owner(buffer.owner(), *this, "buffer");
+    require_range(buffer, offset, bytes);
+    if (offset % 4 != 0 || bytes % 4 != 0) {
+        throw UsageError(
+            fmt::format("fill of {} bytes at {}: both must be multiples of 4", bytes, offset));
+    }
+    if (bytes != 0) {
+        do_fill(buffer, offset, bytes, word);
+    }
+}
+
+void Device::dispatch(const Kernel& kernel, std::span<const Buffer* const> buffers,
+                      std::span<const std::byte> params, std::uint32_t groups) {
+    const auto& spec = kernel.spec();
+    require_owner(kernel.owner(), *this, "kernel");
+    for (const Buffer* buffer : buffers) {
+        require_owner(buffer->owner(), *this, "buffer");
+    }
+    if (buffers.size() != spec.buffers || params.size() != spec.params_bytes) {
+        throw UsageError(
+            fmt::format("kernel {}.{} got {} buffers and {} bytes of params: it takes {} "
+                        "and {}",
+                        spec.operation, spec.entry, buffers.size(), params.size(), spec.buffers,
+                        spec.params_bytes));
+    }
+    if (groups != 0) {
+        do_dispatch(kernel, buffers, params, groups);
+    }
+}
+
+std::vector<DispatchTime> Device::take_times() {
+    if (!options_.timestamps) {
+        throw UsageError("times of a device that was opened without timestamps: open it with them");
+    }
+    return do_take_times();
+}
+
+} // namespace zonegrid::device

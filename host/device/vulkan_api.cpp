@@ -1,0 +1,104 @@
+#include "device/vulkan_api.h"
+
+#include "zonegrid/errors.h"
+
+#include <fmt/format.h>
+
+namespace zonegrid::device {
+
+namespace {
+
+Symbol require(PFN_vkVoidFunction address, const char* function) {
+    if (address == nullptr) {
+        throw DeviceError("vulkan", fmt::format("the driver has no function {}", function),
+                          "install a driver for Vulkan 1.1 or later");
+    }
+    return Symbol(address);
+}
+
+VkInstance make_instance(const VulkanLoader& loader) {
+    VkApplicationInfo application{};
+    application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
+    application.pApplicationName = "zonegrid";
+    // The newest version of which a structure is used; devices of 1.1 are welcome.
+    application.apiVersion = VK_API_VERSION_1_2;
+    VkInstanceCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
+    info.pApplicationInfo = &application;
+    VkInstance instance = nullptr;
+    const VkResult code = loader.create_instance(&info, nullptr, &instance);
+    if (code == VK_ERROR_INCOMPATIBLE_DRIVER) {
+        throw DeviceError("vulkan", "no driver is installed",
+                          "install the one of your device, or mesa-vulkan-drivers for the CPU");
+    }
+    check_vulkan(code, "vkCreateInstance", "vulkan");
+    return instance;
+}
+
+} // namespace
+
+VulkanInstance::VulkanInstance() : instance_(make_instance(loader_)) {}
+
+VulkanInstance::~VulkanInstance() {
+    destroy_instance(instance_, nullptr);
+}
+
+Symbol VulkanInstance::find(const char* function) const {
+    return require(loader_.get_instance_function(instance_, function), function);
+}
+
+Symbol VulkanApi::find(const char* function) const {
+    return require(instance_.get_device_function(device_, function), function);
+}
+
+std::string vulkan_code_name(VkResult code) {
+    switch (code) {
+        case VK_NOT_READY:
+            return "VK_NOT_READY";
+        case VK_TIMEOUT:
+            return "VK_TIMEOUT";
+        case VK_INCOMPLETE:
+            return "VK_INCOMPLETE";
+        case VK_ERROR_OUT_OF_HOST_MEMORY:
+            return "VK_ERROR_OUT_OF_HOST_MEMORY";
+        case VK_ERROR_OUT_OF_DEVICE_MEMORY:
+            return "VK_ERROR_OUT_OF_DEVICE_MEMORY";
+        case VK_ERROR_INITIALIZATION_FAILED:
+            return "VK_ERROR_INITIALIZATION_FAILED";
+        case VK_ERROR_DEVICE_LOST:
+            return "VK_ERROR_DEVICE_LOST";
+        case VK_ERROR_MEMORY_MAP_FAILED:
+            return "VK_ERROR_MEMORY_MAP_FAILED";
+        case VK_ERROR_LAYER_NOT_PRESENT:
+            return "VK_ERROR_LAYER_NOT_PRESENT";
+        case VK_ERROR_EXTENSION_NOT_PRESENT:
+            return "VK_ERROR_EXTENSION_NOT_PRESENT";
+        case VK_ERROR_FEATURE_NOT_PRESENT:
+            return "VK_ERROR_FEATURE_NOT_PRESENT";
+        case VK_ERROR_INCOMPATIBLE_DRIVER:
+            return "VK_ERROR_INCOMPATIBLE_DRIVER";
+        case VK_ERROR_TOO_MANY_OBJECTS:
+            return "VK_ERROR_TOO_MANY_OBJECTS";
+        case VK_ERROR_FRAGMENTED_POOL:
+            return "VK_ERROR_FRAGMENTED_POOL";
+        case VK_ERROR_OUT_OF_POOL_MEMORY:
+            return "VK_ERROR_OUT_OF_POOL_MEMORY";
+        case VK_ERROR_UNKNOWN:
+            return "VK_ERROR_UNKNOWN";
+        default:
+            return fmt::format("code {}", static_cast<int>(code));
+    }
+}
+
+void check_vulkan(VkResult code, const char* call, const std::string& device) {
+    if (code == VK_SUCCESS) {
+        return;
+    }
+    const bool memory = code == VK_ERROR_OUT_OF_HOST_MEMORY ||
+                        code == VK_ERROR_OUT_OF_DEVICE_MEMORY || code == VK_ERROR_TOO_MANY_OBJECTS;
+    throw DeviceError(device, fmt::format("{} failed with {}", call, vulkan_code_name(code)),
+                      memory ? "take larger cells, a shorter range or a device with more memory"
+                             : "look for a newer driver or choose another device");
+}
+
+} // namespace zonegrid::device

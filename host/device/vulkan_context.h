@@ -1,0 +1,40 @@
+#pragma once
+
+#include "device/device.h"
+#include "device/vulkan_api.h"
+#include "device/vulkan_devices.h"
+
+#include <string>
+
+namespace zonegrid::device {
+
+/// An open device: what its memory, queue and pipelines share.
+class VulkanContext {
+public:
+    explicit VulkanContext(const DeviceInfo& info);
+    VulkanContext(const VulkanContext&) = delete;
+    VulkanContext& operator=(const VulkanContext&) = delete;
+    ~VulkanContext();
+
+    [[nodiscard]] const VulkanApi& api() const { return api_; }
+    [[nodiscard]] VkDevice device() const { return device_; }
+    [[nodiscard]] const VkPhysicalDeviceLimits& limits() const { return limits_; }
+    [[nodiscard]] const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
+    [[nodiscard]] const VulkanQueueFamily& queue_family() const { return family_; }
+
+    void check(VkResult code, const char* call) const { check_vulkan(code, call, id_); }
+
+private:
+    [[nodiscard]] VkDevice open() const;
+
+    std::string id_;
+    VulkanInstance instance_;
+    VkPhysicalDevice physical_;
+    VulkanQueueFamily family_;
+    VkPhysicalDeviceLimits limits_{};
+    VkPhysicalDeviceMemoryProperties memory_{};
+    VkDevice device_;
+    VulkanApi api_;
+};
+
+} // namespace zonegrid::device
