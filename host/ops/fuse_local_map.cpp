@@ -1,0 +1,107 @@
+#include "ops/fuse_local_map.h"
+
+#include "kernels/params/fuse_local_map.h"
+#include "zonegrid/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace zonegrid::ops {
+
+namespace {
+
+using params::FuseLocalMapParams;
+static_assert(sizeof(FuseLocalMapParams) <= device::max_params_bytes);
+
+// The kernel reads and writes these as two words each.
+static_assert(sizeof(ZonePair) == 8 && sizeof(ZoneChange) == 8);
+
+device::KernelSpec kernel_spec(std::uint32_t group_items) {
+    return {"fuse_local_map", "fuse_local_map", 5, sizeof(FuseLocalMapParams), group_items};
+}
+
+void require_slot(std::uint32_t slot, std::uint64_t zone_bytes, const device::Buffer& buffer,
+                  const char* name) {
+    if (slot >= buffer.bytes() / zone_bytes) {
+        throw UsageError(fmt::format("{} slot {}: the buffer of {} bytes holds {} zones", name,
+                                     slot, buffer.bytes(), buffer.bytes() / zone_bytes));
+    }
+}
+
+} // namespace
+
+FuseLocalMap::FuseLocalMap(device::Device& device, std::int32_t zone_edge, const FusionRule& rule,
+                           std::uint32_t group_items)
+    : device_(device),
+      layout_(zone_edge),
+      rule_(rule),
+      kernel_(device.make_kernel(kernel_spec(group_items))) {}
+
+void FuseLocalMap::dispatch(const FusionBuffers& buffers, std::span<const ZonePair> pairs) {
+    check(buffers, pairs);
+    pair_count_ = pairs.size();
+    if (pairs.empty()) {
+        return;
+    }
+    reserve(pairs.size());
+    device_.upload(*pairs_, 0, std::as_bytes(pairs));
+    const FuseLocalMapParams params{static_cast<std::uint32_t>(pairs.size()),
+                                    layout_.plane_words(),
+                                    rule_.hit,
+                                    rule_.miss,
+                                    rule_.limit,
+                                    rule_.threshold};
+    const std::array<const device::Buffer*, 5> bindings{
+        &buffers.local_planes, &buffers.grid_cells, &buffers.occupied_planes, &*pairs_, &*changes_};
+    device_.dispatch(kernel_, bindings, std::as_bytes(std::span(&params, 1)), params.pair_count);
+}
+
+std::vector<ZoneChange> FuseLocalMap::changes() {
+    std::vector<ZoneChange> changes(pair_count_);
+    if (changes_) {
+        device_.download(*changes_, 0, std::as_writable_bytes(std::span(changes)));
+    }
+    return changes;
+}
+
+void FuseLocalMap::check(const FusionBuffers& buffers, std::span<const ZonePair> pairs) const {
+    constexpr std::uint64_t most_words = std::numeric_limits<std::uint32_t>::max();
+    const std::array<const device::Buffer*, 3> all{&buffers.local_planes, &buffers.grid_cells,
+                                                   &buffers.occupied_planes};
+    for (const auto* buffer : all) {
+        if (buffer->bytes() / 4 > most_words) {
+            throw CapacityError(
+                fmt::format("a buffer of {} bytes: fusion reaches {} words, so split it",
+                            buffer->bytes(), most_words));
+        }
+    }
+    std::vector<std::uint32_t> grid_slots;
+    grid_slots.reserve(pairs.size());
+    for (const auto& pair : pairs) {
+        require_slot(pair.local_slot, layout_.local_bytes(), buffers.local_planes, "local map's");
+        require_slot(pair.grid_slot, layout_.grid_bytes(), buffers.grid_cells, "grid's");
+        require_slot(pair.grid_slot, layout_.plane_bytes(), buffers.occupied_planes,
+                     "occupied plane's");
+        grid_slots.push_back(pair.grid_slot);
+    }
+    std::ranges::sort(grid_slots);
+    const auto twice = std::ranges::adjacent_find(grid_slots);
+    if (twice != grid_slots.end()) {
+        throw UsageError(
+            fmt::format("grid's slot {} stands in two pairs: fuse one local map a zone", *twice));
+    }
+}
+
+void FuseLocalMap::reserve(std::size_t pairs) {
+    const std::uint64_t bytes = pairs * sizeof(ZonePair);
+    if (!pairs_ || pairs_->bytes() < bytes) {
+        // Twice what is needed, so that a growing map does not come here every image.
+        pairs_.emplace(device_.make_buffer(2 * bytes));
+        changes_.emplace(device_.make_buffer(2 * bytes));
+    }
+}
+
+} // namespace zonegrid::ops

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "device/device.h"
+#include "model/fusion.h"
+#include "ops/zone_layout.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace zonegrid::ops {
+
+/// A zone of the local map and the zone of the grid that it is added to, by their slots.
+struct ZonePair {
+    std::uint32_t local_slot = 0;
+    std::uint32_t grid_slot = 0;
+};
+
+/// What fusion did to a zone.
+struct ZoneChange {
+    std::uint32_t values_changed = 0;
+    std::uint32_t occupancies_changed = 0; ///< cells that became occupied or ceased to be
+};
+
+/// Where the zones lie; each in the layout of `ZoneLayout`.
+struct FusionBuffers {
+    const device::Buffer& local_planes; ///< in: local maps
+    device::Buffer& grid_cells;         ///< in and out: values
+    /// in and out: a bit plane a zone, the cells whose value is at least the threshold
+    device::Buffer& occupied_planes;
+};
+
+/// Adds local maps to the grid on a device (docs/model.md, section 7): for the zones that it is
+/// given, equal to reference::fuse_local_map.
+class FuseLocalMap {
+public:
+    /// `device` lives longer. `zone_edge`: 8, 16 or 32 cells.
+    FuseLocalMap(device::Device& device, std::int32_t zone_edge, const FusionRule& rule,
+                 std::uint32_t group_items = device::default_group_items);
+
+    /// Fuses each pair, without waiting. No two pairs share a grid slot. Throws UsageError if they
+    /// do or if a slot lies outside its buffer, CapacityError if a buffer is too large for 32-bit
+    /// places.
+    void dispatch(const FusionBuffers& buffers, std::span<const ZonePair> pairs);
+
+    /// Waits; one entry a pair of the last dispatch, in its order.
+    [[nodiscard]] std::vector<ZoneChange> changes();
+
+private:
+    void check(const FusionBuffers& buffers, std::span<const ZonePair> pairs) const;
+    void reserve(std::size_t pairs);
+
+    device::Device& device_;
+    ZoneLayout layout_;
+    FusionRule rule_;
+    device::Kernel kernel_;
+    std::optional<device::Buffer> pairs_;
+    std::optional<device::Buffer> changes_;
+    std::size_t pair_count_ = 0; ///< of the last dispatch
+};
+
+} // namespace zonegrid::ops
