@@ -1,7 +1,5 @@
 #include "io/recording.h"
 
-#include "zonegrid/errors.h"
-
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -145,6 +143,16 @@ TEST(RealRecording, KitchenIsProjectedOntoItself) {
     EXPECT_GT(wrong_m, 0.05);
     const std::vector<float> depth_m = recording->read_frame(33).depth_m; // holds 65535
     EXPECT_TRUE(std::ranges::none_of(depth_m, [](float depth) { return depth > 10.0F; }));
+}
+
+TEST(RealRecording, ShippedDeskIsProjectedOntoItself) {
+    const auto recording = open_recording(std::filesystem::path(ZONEGRID_SOURCE_DIR) / "data" /
+                                          "rgbd_dataset_freiburg1_xyz_cut");
+    EXPECT_THAT(recording->frames(), SizeIs(40));
+    EXPECT_THAT(recording->warnings(), SizeIs(0));
+    EXPECT_EQ(recording->camera()->fx_px, 517.3);
+    EXPECT_LT(projection_error_m(*recording, 8, 11, false), 0.015);
+    EXPECT_GT(projection_error_m(*recording, 8, 11, true), 0.05);
 }
 
 /// Median distance from every `stride`th point to its nearest neighbour, in metres.
