@@ -1,0 +1,19 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace zonegrid {
+
+// One function a subcommand: declares it, its options and what happens when it is called. What the
+// subcommand throws comes out of CLI::App::parse.
+
+void add_map_command(CLI::App& app);
+void add_dump_command(CLI::App& app);
+void add_inspect_command(CLI::App& app);
+
+/// The end of every --help.
+inline constexpr const char* kExitCodes =
+    "Exit codes: 0 success; 1 failure (data wrong, nothing mapped, output not writable);\n"
+    "2 an option or argument that cannot work. Errors are one line on standard error.";
+
+} // namespace zonegrid

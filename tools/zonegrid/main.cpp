@@ -1,0 +1,93 @@
+#include "command.h"
+#include "interruption.h"
+#include "standard_output.h"
+#include "zonegrid/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <new>
+
+namespace {
+
+constexpr int kFailure = 1;
+constexpr int kUsage = 2;
+
+constexpr const char* kDescription =
+    "zonegrid makes three-dimensional obstacle maps from depth images and navigation.";
+
+int complain(const std::string& problem, int exit_code) {
+    fmt::print(stderr, "zonegrid: {}\n", problem);
+    return exit_code;
+}
+
+/// CLI11's own complaints, in one line and with a remedy.
+int complain_about_usage(const CLI::App& app, const CLI::ParseError& error) {
+    std::string problem = error.what();
+    std::replace(problem.begin(), problem.end(), '\n', ' ');
+    std::string command = "zonegrid";
+    for (const CLI::App* const subcommand : app.get_subcommands()) {
+        command += " " + subcommand->get_name();
+    }
+    return complain(fmt::format("{}; see {} --help", problem, command), kUsage);
+}
+
+/// Parses, and runs the subcommand that was asked for.
+void run(CLI::App& app, int argc, const char* const* argv) {
+    try {
+        app.parse(argc, argv);
+        if (app.get_subcommands().empty()) {
+            zonegrid::write_standard_output(app.help());
+        }
+    } catch (const CLI::CallForHelp&) {
+        const auto subcommands = app.get_subcommands();
+        zonegrid::write_standard_output(subcommands.empty() ? app.help()
+                                                            : subcommands[0]->help("zonegrid"));
+    } catch (const CLI::CallForVersion& version) {
+        zonegrid::write_standard_output(std::string(version.what()) + "\n");
+    }
+}
+
+int run_and_explain(CLI::App& app, int argc, const char* const* argv) {
+    try {
+        run(app, argc, argv);
+        return 0;
+    } catch (const CLI::ParseError& error) {
+        return complain_about_usage(app, error);
+    } catch (const zonegrid::StandardOutputClosed&) {
+        return 0; // the reader has what it wanted
+    } catch (const zonegrid::UsageError& error) {
+        return complain(error.what(), kUsage);
+    } catch (const zonegrid::CapacityError& error) {
+        return complain(error.what(), kUsage);
+    } catch (const std::bad_alloc&) {
+        return complain("memory is exhausted; use larger cells or a smaller range", kFailure);
+    } catch (const std::exception& error) {
+        return complain(error.what(), kFailure);
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    // Writes fail with an error instead: it is reported and cleaned up after.
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+    CLI::App app(kDescription, "zonegrid");
+    app.set_version_flag("--version", std::string("zonegrid ") + ZONEGRID_VERSION);
+    app.require_subcommand(0, 1);
+    zonegrid::add_map_command(app);
+    zonegrid::add_inspect_command(app);
+    zonegrid::add_dump_command(app);
+    app.footer(std::string("zonegrid COMMAND --help explains a command.\n") + zonegrid::kExitCodes);
+    try {
+        return run_and_explain(app, argc, argv);
+    } catch (const zonegrid::Interrupted& interrupted) {
+        complain("interrupted; nothing was written", kFailure);
+        std::signal(interrupted.signal, SIG_DFL);
+        std::raise(interrupted.signal); // whoever started this sees how it ended
+        return kFailure;
+    }
+}

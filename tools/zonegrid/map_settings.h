@@ -1,0 +1,39 @@
+#pragma once
+
+#include "io/replay.h"
+#include "recording_settings.h"
+#include "zonegrid/options.h"
+
+#include <optional>
+#include <string>
+
+namespace zonegrid {
+
+/// Everything that `zonegrid map` can be told.
+struct MapSettings {
+    RecordingSettings source;
+    MapperOptions mapper;
+    std::string model = "line";
+    std::optional<std::string> output;
+    std::optional<std::string> frames;
+    std::optional<double> cut_height;
+    bool overwrite = false;
+    bool json = false;
+    bool quiet = false;
+
+    MapSettings();
+};
+
+/// Adds the settings to `table`, which must not outlive `settings`.
+void add_map_settings(SettingTable& table, MapSettings& settings);
+
+/// --max-gap, which `zonegrid inspect` has too.
+[[nodiscard]] Setting max_gap_setting(double& max_gap_s);
+
+/// The mapper's options, complete and checked. Throws UsageError.
+[[nodiscard]] MapperOptions mapper_options(const MapSettings& settings);
+
+/// Which frames of `count` to map. Throws UsageError if --frames asks for more than there are.
+[[nodiscard]] FrameSpan frame_span(const MapSettings& settings, std::size_t count);
+
+} // namespace zonegrid

@@ -1,0 +1,41 @@
+#include "progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace zonegrid {
+namespace {
+
+constexpr std::chrono::milliseconds kBetweenDrawings{200};
+constexpr const char* kEraseLine = "\r\x1b[K";
+
+} // namespace
+
+Progress::Progress(std::uint64_t images, bool wanted)
+    : images_(images), shown_(wanted && ::isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+    if (shown_) {
+        std::fputs(kEraseLine, stderr);
+    }
+}
+
+void Progress::show(std::uint64_t done) {
+    const auto now = Clock::now();
+    if (!shown_ || now < next_) {
+        return;
+    }
+    next_ = now + kBetweenDrawings;
+    const std::chrono::duration<double> spent = now - start_;
+    std::string line = fmt::format("{}{} of {} images", kEraseLine, done, images_);
+    if (done > 0 && spent.count() > 0.0) {
+        const double rate = static_cast<double>(done) / spent.count();
+        const auto left_s = static_cast<std::uint64_t>(static_cast<double>(images_ - done) / rate);
+        line += fmt::format(", {:.1f} images/s, {}:{:02} left", rate, left_s / 60, left_s % 60);
+    }
+    std::fputs(line.c_str(), stderr);
+}
+
+} // namespace zonegrid
