@@ -3,7 +3,7 @@
 #include "model/constants.h"
 #include "zonegrid/objects.h"
 
-#include <array>
+#include <bit>
 #include <compare>
 #include <cstdint>
 
@@ -59,12 +59,13 @@ constexpr std::uint32_t index_in_zone(const CellIndex& cell, std::int32_t zone_e
         ((cell.z - first.z) * zone_edge + (cell.y - first.y)) * zone_edge + (cell.x - first.x));
 }
 
-/// Inverse of `index_in_zone`.
+/// Inverse of `index_in_zone`. By shifts: `zone_edge` is a power of two, and this runs per cell.
 constexpr CellIndex cell_at(const ZoneIndex& zone, std::uint32_t index, std::int32_t zone_edge) {
+    const int bits = std::countr_zero(static_cast<std::uint32_t>(zone_edge));
     const auto place = static_cast<std::int32_t>(index);
     const CellIndex first = first_cell_of(zone, zone_edge);
-    return {first.x + place % zone_edge, first.y + place / zone_edge % zone_edge,
-            first.z + place / (zone_edge * zone_edge)};
+    return {first.x + (place & (zone_edge - 1)), first.y + (place >> bits & (zone_edge - 1)),
+            first.z + (place >> (2 * bits))};
 }
 
 } // namespace zonegrid

@@ -43,7 +43,12 @@ bool ObjectTracker::is_unchanged(const Component& component) const {
 }
 
 Object ObjectTracker::describe(const Component& component) const {
+    std::size_t cell_count = 0;
+    for (const auto& [zone, piece] : component) {
+        cell_count += zones_.at(zone).pieces[piece].size();
+    }
     std::vector<CellIndex> cells;
+    cells.reserve(cell_count);
     for (const auto& [zone, piece] : component) {
         for (const auto index : zones_.at(zone).pieces[piece]) {
             cells.push_back(cell_at(zone, index, zone_edge_));
