@@ -25,11 +25,9 @@ Neighbours neighbours_of(std::size_t index, std::span<const NavigationSample> sa
     return found;
 }
 
-Eigen::Vector3d rotation_vector(Eigen::Quaterniond rotation) {
-    if (rotation.w() < 0.0) { // the shorter way round
-        rotation.coeffs() *= -1.0;
-    }
-    const Eigen::AngleAxisd turn(rotation.normalized());
+/// The shorter way round: Eigen takes the quaternion's sign into account.
+Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation) {
+    const Eigen::AngleAxisd turn(rotation);
     return turn.angle() * turn.axis();
 }
 
