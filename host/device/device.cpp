@@ -53,6 +53,7 @@ std::optional<DeviceName> parse_name(std::string_view name) {
 
 std::string describe(const DeviceList& list) {
     std::vector<std::string> found;
+    found.reserve(list.devices.size() + list.missing.size());
     for (const auto& info : list.devices) {
         found.push_back(fmt::format("{} ({}, {}{})", info.id(), info.name, info.driver,
                                     info.refusal.empty() ? "" : ", refused: " + info.refusal));

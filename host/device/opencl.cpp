@@ -130,7 +130,7 @@ private:
                                 nullptr) != CL_SUCCESS) {
             return "none";
         }
-        return log.c_str();
+        return opencl_text(std::move(log));
     }
 
     void do_upload(Buffer& buffer, std::uint64_t offset,
@@ -159,8 +159,8 @@ private:
         const auto function = static_cast<OpenClProgram&>(kernel.program()).kernel();
         cl_uint argument = 0;
         for (const Buffer* buffer : buffers) {
-            const cl_mem memory = memory_of(*buffer);
-            check(api_.set_kernel_argument(function, argument++, sizeof(memory), &memory),
+            cl_mem memory = memory_of(*buffer);
+            check(api_.set_kernel_argument(function, argument++, sizeof(cl_mem), &memory),
                   "clSetKernelArg");
         }
         if (!params.empty()) {

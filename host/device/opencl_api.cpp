@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace zonegrid::device {
 
 std::string opencl_code_name(cl_int code) {
@@ -71,6 +73,11 @@ std::string opencl_code_name(cl_int code) {
         default:
             return fmt::format("code {}", code);
     }
+}
+
+std::string opencl_text(std::string buffer) {
+    buffer.erase(std::min(buffer.find('\0'), buffer.size()));
+    return buffer;
 }
 
 void check_opencl(cl_int code, const char* call, const std::string& device) {

@@ -53,6 +53,9 @@ using OpenClHandle = std::unique_ptr<std::remove_pointer_t<Object>, cl_int (*)(O
 /// "CL_OUT_OF_RESOURCES", or the number of a code without a name.
 [[nodiscard]] std::string opencl_code_name(cl_int code);
 
+/// Text that OpenCL wrote into `buffer`, which it ends by a zero.
+[[nodiscard]] std::string opencl_text(std::string buffer);
+
 /// Throws DeviceError if `code`, which `call` returned, is a failure.
 void check_opencl(cl_int code, const char* call, const std::string& device);
 

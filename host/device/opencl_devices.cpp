@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
+#include <utility>
 
 namespace zonegrid::device {
 
@@ -20,7 +20,7 @@ std::string platform_text(const OpenClApi& api, cl_platform_id platform, cl_plat
     std::string text(size, '\0');
     check_opencl(api.get_platform_info(platform, what, size, text.data(), nullptr),
                  "clGetPlatformInfo", backend);
-    return text.c_str();
+    return opencl_text(std::move(text));
 }
 
 std::string device_text(const OpenClApi& api, cl_device_id device, cl_device_info what) {
@@ -29,7 +29,7 @@ std::string device_text(const OpenClApi& api, cl_device_id device, cl_device_inf
     std::string text(size, '\0');
     check_opencl(api.get_device_info(device, what, size, text.data(), nullptr), "clGetDeviceInfo",
                  backend);
-    return text.c_str();
+    return opencl_text(std::move(text));
 }
 
 template <class Value>

@@ -122,7 +122,7 @@ VkCommandBuffer VulkanQueue::next_command() {
     if (!open_) {
         open_batch();
     }
-    const VkCommandBuffer commands = slot_of(batch_).commands;
+    VkCommandBuffer commands = slot_of(batch_).commands;
     // Commands of earlier batches count as earlier commands of the queue.
     record_barrier(context_, commands,
                    VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT,
