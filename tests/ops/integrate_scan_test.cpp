@@ -103,6 +103,15 @@ TEST(IntegrateScan, RaysWithOwnStartsOutsideTheWindowAreDropped) {
     EXPECT_EQ(scan.dropped, 2U);
 }
 
+TEST(IntegrateScan, WindowEndsAtItsLastSubCell) {
+    const Worked scan; // reach 6, three zones of 32 from cell -32: cells -32 .. 63
+    EXPECT_EQ(scan({{63.499F, 0.0F, 0.0F}}, {{62.5F, 0.0F, 0.0F}}).rays, 1U);
+    EXPECT_EQ(scan({{63.5F, 0.0F, 0.0F}}, {{62.5F, 0.0F, 0.0F}}).dropped, 1U);
+    EXPECT_EQ(scan({{62.5F, 0.0F, 0.0F}}, {{63.5F, 0.0F, 0.0F}}).dropped, 1U);
+    EXPECT_EQ(scan({{0.0F, 0.0F, -32.5F}}, {{0.0F, 0.0F, -31.5F}}).rays, 1U);
+    EXPECT_EQ(scan({{0.0F, 0.0F, -32.501F}}, {{0.0F, 0.0F, -31.5F}}).dropped, 1U);
+}
+
 TEST(IntegrateScan, OccupiedBeatsFreeWhateverTheOrder) {
     const std::vector<Eigen::Vector3f> there{{1.0F, 0.0F, 0.0F}, {3.0F, 0.0F, 0.0F}};
     const std::vector<Eigen::Vector3f> back{there[1], there[0]};
