@@ -52,8 +52,9 @@ TEST_F(AtomicOutputTest, LeavesNothingWhenTheDiskIsFull) {
     const std::string report = read_file("map/report.json");
     // The limit, in kibibytes, stops the files one after another.
     for (const char* const limit_kib : {"0", "1", "3", "20"}) {
-        const CommandResult result = run("(ulimit -f " + std::string(limit_kib) + "; " + kMap +
-                                         "--overwrite) 2>&1 | cat >&2; exit ${PIPESTATUS[0]}");
+        const CommandResult result =
+            run("(ulimit -f " + std::string(limit_kib) + "; " + map_command_line +
+                "--overwrite) 2>&1 | cat >&2; exit ${PIPESTATUS[0]}");
         EXPECT_EQ(result.exit_code, 1) << limit_kib;
         EXPECT_THAT(result.errors, one_line_with("written")) << limit_kib;
         EXPECT_TRUE(read_file("map/report.json") == report) << limit_kib;
