@@ -131,7 +131,8 @@ std::string problem_with(const Field& field) {
     reference::integrate_image(field.rays, local_map);
     DenseWalk dense(field.window);
     dense.draw(field.rays);
-    for (const std::uint8_t statement : {ZG_STATEMENT_FREE, ZG_STATEMENT_OCCUPIED}) {
+    for (const auto statement :
+         {std::uint8_t{ZG_STATEMENT_FREE}, std::uint8_t{ZG_STATEMENT_OCCUPIED}}) {
         if (count(local_map, statement) != dense.count(statement)) {
             return "the zoned and the dense walk disagree";
         }

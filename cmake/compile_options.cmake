@@ -12,3 +12,14 @@ if(ZONEGRID_SANITIZE)
     -fsanitize=${ZONEGRID_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(zonegrid_compile_options INTERFACE -fsanitize=${ZONEGRID_SANITIZE})
 endif()
+
+# Parsing Eigen and the standard library is most of a file's compile time. CI builds with them
+# precompiled; the release and debug presets build without, which shows a missing #include.
+option(ZONEGRID_PRECOMPILE_HEADERS "Precompile the headers that most files include" OFF)
+function(zonegrid_precompile target)
+  if(ZONEGRID_PRECOMPILE_HEADERS)
+    target_precompile_headers(${target} PRIVATE
+      <Eigen/Geometry> <fmt/format.h> <algorithm> <array> <cmath> <cstdint> <filesystem>
+      <functional> <map> <memory> <optional> <ranges> <span> <string> <vector> ${ARGN})
+  endif()
+endfunction()

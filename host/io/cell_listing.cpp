@@ -7,8 +7,8 @@
 namespace zonegrid {
 namespace {
 
-constexpr std::size_t kPiece_bytes = std::size_t{1} << 20;
-constexpr std::size_t kLongestLine_bytes = 64;
+constexpr std::size_t piece_bytes = std::size_t{1} << 20;
+constexpr std::size_t longest_line_bytes = 64;
 
 void append_number(std::string& text, int number) {
     const fmt::format_int digits(number);
@@ -18,14 +18,14 @@ void append_number(std::string& text, int number) {
 } // namespace
 
 CellListing::CellListing(std::function<void(std::string_view)> take) : take_(std::move(take)) {
-    lines_.reserve(kPiece_bytes);
+    lines_.reserve(piece_bytes);
 }
 
 void CellListing::add(const CellIndex& cell, int value) {
     if (!started_ || cell.x != last_.x || cell.y != last_.y) {
         start_column(cell);
     }
-    if (lines_.size() + kLongestLine_bytes > kPiece_bytes) {
+    if (lines_.size() + longest_line_bytes > piece_bytes) {
         take_(lines_);
         lines_.clear();
     }

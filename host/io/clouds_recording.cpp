@@ -17,7 +17,7 @@
 namespace zonegrid {
 namespace {
 
-constexpr double kPeriod_s = 0.1;
+constexpr double period_s = 0.1;
 
 /// The number at the end of a cloud's identifier: 12 in "v12".
 std::uint32_t cloud_number(std::string_view identifier, const std::string& where) {
@@ -59,7 +59,7 @@ std::unique_ptr<Recording> open_clouds_recording(const std::filesystem::path& fo
                              "a line holds an identifier, x y z and qx qy qz qw");
         }
         const std::uint32_t number = cloud_number(line.fields[0], where);
-        const double time_s = kPeriod_s * number;
+        const double time_s = period_s * number;
         frames.add(time_s, folder / fmt::format("{:06}", number) / "points.bin", where);
         poses.push_back({time_s, parse_pose(std::span(line.fields).subspan<1, 7>(), where)});
     }
@@ -70,7 +70,7 @@ std::unique_ptr<Recording> open_clouds_recording(const std::filesystem::path& fo
     contents.navigation = samples_of_poses(poses, axes, contents.body_from_sensor);
     contents.notes.push_back(describe_pose_navigation(axes));
     contents.notes.push_back(fmt::format(
-        "Times: cloud number * {} s, for the layout has none; velocities are nominal.", kPeriod_s));
+        "Times: cloud number * {} s, for the layout has none; velocities are nominal.", period_s));
     return std::make_unique<ScanRecording>(std::move(contents), PointFields::xyz);
 }
 

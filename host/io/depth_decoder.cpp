@@ -99,7 +99,7 @@ std::vector<float> DepthDecoder::decode(const std::filesystem::path& file) const
                              "a depth image has the shape height x width");
         }
         const auto clamped = [](std::size_t length) {
-            return static_cast<int>(std::min<std::size_t>(length, kLargestImage_px + 1));
+            return static_cast<int>(std::min<std::size_t>(length, largest_image_px + 1));
         };
         require_size({clamped(array.shape[1]), clamped(array.shape[0])}, file);
         std::ranges::transform(array.values, array.values.begin(), to_metres);

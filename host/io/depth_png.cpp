@@ -60,7 +60,7 @@ bool read_header(png_structp png, png_infop info, PngSource& source) {
     if (setjmp(png_jmpbuf(png)) != 0) {
         return false;
     }
-    png_set_user_limits(png, kLargestImage_px, kLargestImage_px);
+    png_set_user_limits(png, largest_image_px, largest_image_px);
     png_set_read_fn(png, &source, read_bytes);
     png_read_info(png, info);
     return true;

@@ -8,7 +8,7 @@
 namespace zonegrid {
 
 /// The largest width and height of a depth image, in pixels.
-inline constexpr int kLargestImage_px = 16384;
+inline constexpr int largest_image_px = 16384;
 
 struct ImageSize {
     int width_px = 0;

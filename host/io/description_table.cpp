@@ -75,9 +75,9 @@ double DescriptionTable::positive_number(std::string_view key) {
 
 int DescriptionTable::needed_size(std::string_view key) {
     const double value = needed_number(key);
-    if (!(value >= 1.0 && value <= kLargestImage_px) || value != std::floor(value)) {
+    if (!(value >= 1.0 && value <= largest_image_px) || value != std::floor(value)) {
         refuse(key, fmt::format("is {}", value),
-               fmt::format("a whole number from 1 to {} is needed", kLargestImage_px));
+               fmt::format("a whole number from 1 to {} is needed", largest_image_px));
     }
     return static_cast<int>(value);
 }

@@ -9,7 +9,7 @@
 namespace zonegrid {
 namespace {
 
-constexpr std::size_t kDamagedListed = 10;
+constexpr std::size_t damaged_listed = 10;
 
 /// The distances of one frame.
 struct FrameDistances {
@@ -91,7 +91,7 @@ FrameContents look_at_frames(const Recording& recording, std::size_t frames_most
             ++contents.read;
         } catch (const InputError& error) {
             ++contents.damaged;
-            if (contents.damaged_first.size() < kDamagedListed) {
+            if (contents.damaged_first.size() < damaged_listed) {
                 contents.damaged_first.emplace_back(error.what());
             }
         }

@@ -18,7 +18,7 @@
 namespace zonegrid {
 namespace {
 
-constexpr std::string_view kCalibrationName = "calib_imu_to_velo.txt";
+constexpr std::string_view calibration_name = "calib_imu_to_velo.txt";
 
 /// The numbers after "key:" in a calibration file.
 Eigen::VectorXd calibration_values(std::span<const ListLine> lines, std::string_view key,
@@ -47,8 +47,8 @@ Eigen::VectorXd calibration_values(std::span<const ListLine> lines, std::string_
 /// The calibration lies in the drive's folder or, as published, in the folder of the day above.
 std::filesystem::path find_calibration(const std::filesystem::path& folder) {
     std::error_code error;
-    const std::filesystem::path inside = folder / kCalibrationName;
-    const std::filesystem::path above = folder.parent_path() / kCalibrationName;
+    const std::filesystem::path inside = folder / calibration_name;
+    const std::filesystem::path above = folder.parent_path() / calibration_name;
     return !std::filesystem::exists(inside, error) && std::filesystem::exists(above, error)
                ? above
                : inside;

@@ -46,7 +46,7 @@ void require_map(const std::filesystem::path& folder) {
         throw InputError(folder.string(), "there is no such folder",
                          "name a folder that zonegrid map wrote");
     }
-    for (const std::string_view name : {kReportName, kCellsName, kObjectsName}) {
+    for (const std::string_view name : {report_name, cells_name, objects_name}) {
         if (!std::filesystem::is_regular_file(folder / name, error)) {
             throw InputError(folder.string(), fmt::format("the folder holds no {}", name),
                              "name a folder that zonegrid map wrote");
@@ -55,7 +55,7 @@ void require_map(const std::filesystem::path& folder) {
 }
 
 std::string stated_objects_digest(const std::filesystem::path& folder) {
-    const std::filesystem::path file = folder / kReportName;
+    const std::filesystem::path file = folder / report_name;
     const std::vector<std::uint8_t> bytes = read_file_bytes(file);
     try {
         return nlohmann::json::parse(bytes).at("digest").at("objects").get<std::string>();
@@ -76,14 +76,14 @@ MapFolderContents write_map_files(const std::filesystem::path& folder, Mapper& m
     contents.objects = mapper.objects();
     contents.objects_s = stopwatch.lap_s();
     contents.objects_digest = digest_of(contents.objects);
-    write_objects_file(folder / kObjectsName, contents.objects, mapper.options().cell_m);
+    write_objects_file(folder / objects_name, contents.objects, mapper.options().cell_m);
     stopwatch.lap_s();
-    write_cells(folder / kCellsName, mapper, contents);
+    write_cells(folder / cells_name, mapper, contents);
     contents.cells_s = stopwatch.lap_s();
     const HeightProfile profile = mapper.height_profile(cut_height_m);
     contents.profile_columns = profile.columns.size();
-    draw_profile(profile, trajectory_m, pictures, folder / kProfileName);
-    draw_profile_3d(profile, trajectory_m, pictures, folder / kProfile3dName);
+    draw_profile(profile, trajectory_m, pictures, folder / profile_name);
+    draw_profile_3d(profile, trajectory_m, pictures, folder / profile3d_name);
     contents.pictures_s = stopwatch.lap_s();
     return contents;
 }
@@ -91,7 +91,7 @@ MapFolderContents write_map_files(const std::filesystem::path& folder, Mapper& m
 void list_cells(const std::filesystem::path& folder,
                 const std::function<void(std::string_view)>& take) {
     require_map(folder);
-    const StoredCells cells = read_cells_file(folder / kCellsName);
+    const StoredCells cells = read_cells_file(folder / cells_name);
     CellListing listing(take);
     cells.for_each_cell([&](const CellIndex& cell, int value) { listing.add(cell, value); });
     listing.finish();
@@ -100,10 +100,10 @@ void list_cells(const std::filesystem::path& folder,
 void list_objects(const std::filesystem::path& folder,
                   const std::function<void(std::string_view)>& take) {
     require_map(folder);
-    const std::vector<Object> objects = read_objects_file(folder / kObjectsName);
+    const std::vector<Object> objects = read_objects_file(folder / objects_name);
     if (digest_of(objects) != stated_objects_digest(folder)) {
-        throw InputError((folder / kObjectsName).string(),
-                         fmt::format("its objects are not those of {}", kReportName),
+        throw InputError((folder / objects_name).string(),
+                         fmt::format("its objects are not those of {}", report_name),
                          "map the recording again or copy the folder again");
     }
     for (const Object& object : objects) {

@@ -15,14 +15,14 @@
 namespace zonegrid {
 
 // The files of a map (docs/formats.md).
-inline constexpr std::string_view kReportName = "report.json";
-inline constexpr std::string_view kCellsName = "cells.zgrid";
-inline constexpr std::string_view kObjectsName = "objects.json";
-inline constexpr std::string_view kProfileName = "profile.png";
-inline constexpr std::string_view kProfile3dName = "profile_3d.png";
+inline constexpr std::string_view report_name = "report.json";
+inline constexpr std::string_view cells_name = "cells.zgrid";
+inline constexpr std::string_view objects_name = "objects.json";
+inline constexpr std::string_view profile_name = "profile.png";
+inline constexpr std::string_view profile3d_name = "profile_3d.png";
 
-inline constexpr std::array<std::string_view, 5> kMapFolderNames{
-    kReportName, kCellsName, kObjectsName, kProfileName, kProfile3dName};
+inline constexpr std::array<std::string_view, 5> map_folder_names{
+    report_name, cells_name, objects_name, profile_name, profile3d_name};
 
 /// What the files of a map, all but the report, say, and what it took to write them.
 struct MapFolderContents {

@@ -19,7 +19,7 @@ namespace {
 using Triple = std::array<std::size_t, 3>;
 using Names = std::array<std::string_view, 3>;
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+constexpr double rad_per_deg = std::numbers::pi / 180.0;
 
 /// Three columns and the factor that turns them into SI units.
 struct ScaledTriple {
@@ -32,7 +32,7 @@ std::optional<ScaledTriple> find_angles(CsvTable& table, const Names& in_rad, co
         return ScaledTriple{*columns, 1.0};
     }
     if (const std::optional<Triple> columns = table.find_all(in_deg)) {
-        return ScaledTriple{*columns, kRadPerDeg};
+        return ScaledTriple{*columns, rad_per_deg};
     }
     return std::nullopt;
 }

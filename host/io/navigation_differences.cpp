@@ -13,7 +13,7 @@ struct Neighbours {
 
 Neighbours neighbours_of(std::size_t index, std::span<const NavigationSample> samples) {
     // Times in seconds since 1970 are rounded to 0.24 us: a step of just 0.1 s is no gap.
-    constexpr double largest_step_s = kNavigationGap_s + 1e-6;
+    constexpr double largest_step_s = navigation_gap_s + 1e-6;
     Neighbours found{index, index};
     if (index > 0 && samples[index].time_s - samples[index - 1].time_s <= largest_step_s) {
         found.before = index - 1;

@@ -7,7 +7,7 @@
 namespace zonegrid {
 
 /// Samples further apart than this are no neighbours: what lies between is unknown.
-inline constexpr double kNavigationGap_s = 0.1;
+inline constexpr double navigation_gap_s = 0.1;
 
 /// Velocities from positions, by differences of neighbouring samples: central, one-sided at the
 /// ends and beside gaps, zero for a sample without any neighbour. Accelerations become zero.

@@ -17,7 +17,7 @@
 namespace zonegrid {
 namespace {
 
-constexpr std::string_view kMagic = "\x93NUMPY";
+constexpr std::string_view magic = "\x93NUMPY";
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& problem) {
     throw InputError(file.string(), problem,
@@ -32,7 +32,7 @@ struct NpyParts {
 
 NpyParts split(std::span<const std::uint8_t> bytes, const std::filesystem::path& file) {
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (!text.starts_with(kMagic) || bytes.size() < 12) {
+    if (!text.starts_with(magic) || bytes.size() < 12) {
         refuse(file, "the file is no NPY array");
     }
     const int version = bytes[6];

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kVersion = 1;
+constexpr int format_version = 1;
 
 Json triple(const CellIndex& cell) {
     return Json::array({cell.x, cell.y, cell.z});
@@ -79,7 +79,7 @@ Object object_of(const Json& json) {
 void write_objects_file(const std::filesystem::path& file, std::span<const Object> objects,
                         double cell_m) {
     OutputFile output(file);
-    output.write(fmt::format("{{\"version\": {}, \"cell_m\": {}, \"objects\": [", kVersion,
+    output.write(fmt::format("{{\"version\": {}, \"cell_m\": {}, \"objects\": [", format_version,
                              Json(cell_m).dump()));
     const char* separator = "\n";
     for (const Object& object : objects) {
@@ -95,7 +95,7 @@ std::vector<Object> read_objects_file(const std::filesystem::path& file) {
     const std::vector<std::uint8_t> bytes = read_file_bytes(file);
     try {
         const Json json = Json::parse(bytes);
-        if (json.at("version") != kVersion) {
+        if (json.at("version") != format_version) {
             throw std::invalid_argument(fmt::format("version {}", json.at("version").dump()));
         }
         std::vector<Object> objects;

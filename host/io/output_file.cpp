@@ -13,7 +13,7 @@
 namespace zonegrid {
 namespace {
 
-constexpr std::size_t kBuffer_bytes = std::size_t{1} << 18;
+constexpr std::size_t buffer_bytes = std::size_t{1} << 18;
 
 } // namespace
 
@@ -34,7 +34,7 @@ OutputFile::~OutputFile() {
 
 void OutputFile::write(std::string_view text) {
     buffer_.append(text);
-    if (buffer_.size() >= kBuffer_bytes) {
+    if (buffer_.size() >= buffer_bytes) {
         flush();
     }
 }

@@ -35,8 +35,8 @@ std::string_view take_word(std::string_view& text, const std::filesystem::path& 
 
 int take_size(std::string_view& text, const std::filesystem::path& file) {
     const double size = parse_number(take_word(text, file), "the PFM size", file.string());
-    if (!(size >= 1.0 && size <= kLargestImage_px)) {
-        refuse(file, fmt::format("the PFM size {} is outside 1 ... {}", size, kLargestImage_px));
+    if (!(size >= 1.0 && size <= largest_image_px)) {
+        refuse(file, fmt::format("the PFM size {} is outside 1 ... {}", size, largest_image_px));
     }
     return static_cast<int>(size);
 }

@@ -21,7 +21,7 @@
 namespace zonegrid {
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+constexpr double rad_per_deg = std::numbers::pi / 180.0;
 
 toml::table parse_description(const std::filesystem::path& file) {
     std::error_code error;
@@ -52,9 +52,9 @@ Eigen::Isometry3d read_mounting(DescriptionTable& root, const Eigen::Matrix3d& b
         const double roll_deg = table->number("roll_deg").value_or(0.0);
         const double pitch_deg = table->number("pitch_deg").value_or(0.0);
         const double yaw_deg = table->number("yaw_deg").value_or(0.0);
-        mounting.linear() =
-            attitude_from_euler(roll_deg * kRadPerDeg, pitch_deg * kRadPerDeg, yaw_deg * kRadPerDeg)
-                .toRotationMatrix();
+        mounting.linear() = attitude_from_euler(roll_deg * rad_per_deg, pitch_deg * rad_per_deg,
+                                                yaw_deg * rad_per_deg)
+                                .toRotationMatrix();
         table->require_all_read();
     }
     mounting.linear() = mounting.linear() * body_from_forward;

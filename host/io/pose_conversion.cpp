@@ -13,7 +13,7 @@ namespace zonegrid {
 namespace {
 
 /// Norms and rotations further off than this are errors, not rounding.
-constexpr double kRotationTolerance = 1e-2;
+constexpr double rotation_tolerance = 1e-2;
 
 } // namespace
 
@@ -61,7 +61,7 @@ Eigen::Quaterniond checked_quaternion(double x, double y, double z, double w,
                                       const std::string& where) {
     const Eigen::Quaterniond quaternion(w, x, y, z);
     const double norm = quaternion.norm();
-    if (!(std::abs(norm - 1.0) <= kRotationTolerance)) {
+    if (!(std::abs(norm - 1.0) <= rotation_tolerance)) {
         throw InputError(
             where,
             fmt::format("the quaternion ({}, {}, {}, {}) has norm {:.4f}, not 1", x, y, z, w, norm),
@@ -73,7 +73,7 @@ Eigen::Quaterniond checked_quaternion(double x, double y, double z, double w,
 Eigen::Matrix3d checked_rotation(const Eigen::Matrix3d& matrix, const std::string& where) {
     const double error =
         (matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-    if (!(error < kRotationTolerance)) {
+    if (!(error < rotation_tolerance)) {
         throw InputError(
             where, fmt::format("the rotation is not orthonormal: R'R is off by {:.3g}", error),
             "give a camera-to-world rotation without scale or shear");

@@ -15,13 +15,13 @@ namespace {
 using Poses = std::span<const std::optional<Eigen::Isometry3d>>;
 using Points = std::vector<Eigen::Vector3d>;
 
-constexpr std::size_t kPairsMost = 3;
-constexpr double kMoved_share = 0.05; // of the typical distance
-constexpr double kTurned_rad = 0.05;
-constexpr double kTurnedMost_rad = 0.6; // beyond, little is seen in both
-constexpr std::size_t kPixelStep = 4;
-constexpr std::size_t kScanPoints = 400;
-constexpr std::size_t kOtherScanPoints = 40000;
+constexpr std::size_t pairs_most = 3;
+constexpr double moved_share = 0.05; // of the typical distance
+constexpr double least_turn_rad = 0.05;
+constexpr double turned_most_rad = 0.6; // beyond, little is seen in both
+constexpr std::size_t pixel_step = 4;
+constexpr std::size_t scan_points = 400;
+constexpr std::size_t other_scan_points = 40000;
 
 double turn_between(const Eigen::Isometry3d& first, const Eigen::Isometry3d& second) {
     return Eigen::AngleAxisd(first.linear().transpose() * second.linear()).angle();
@@ -35,8 +35,8 @@ std::optional<std::size_t> find_partner(Poses poses, std::size_t first, double d
         }
         const double moved_m = (poses[second]->translation() - poses[first]->translation()).norm();
         const double turned_rad = turn_between(*poses[first], *poses[second]);
-        if (moved_m >= kMoved_share * depth_m || turned_rad >= kTurned_rad) {
-            return turned_rad <= kTurnedMost_rad ? std::optional(second) : std::nullopt;
+        if (moved_m >= moved_share * depth_m || turned_rad >= least_turn_rad) {
+            return turned_rad <= turned_most_rad ? std::optional(second) : std::nullopt;
         }
     }
     return std::nullopt;
@@ -44,8 +44,8 @@ std::optional<std::size_t> find_partner(Poses poses, std::size_t first, double d
 
 std::vector<std::pair<std::size_t, std::size_t>> find_pairs(Poses poses, double depth_m) {
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    for (std::size_t i = 0; i < kPairsMost; ++i) {
-        const std::size_t first = i * poses.size() / kPairsMost;
+    for (std::size_t i = 0; i < pairs_most; ++i) {
+        const std::size_t first = i * poses.size() / pairs_most;
         if (!poses[first]) {
             continue;
         }
@@ -73,8 +73,8 @@ bool has_distance(float depth) {
 Points points_of_image(const Camera& camera, std::span<const float> depth_m) {
     Points points;
     const auto width = static_cast<std::size_t>(camera.width_px);
-    for (std::size_t row = 0; row < static_cast<std::size_t>(camera.height_px); row += kPixelStep) {
-        for (std::size_t column = 0; column < width; column += kPixelStep) {
+    for (std::size_t row = 0; row < static_cast<std::size_t>(camera.height_px); row += pixel_step) {
+        for (std::size_t column = 0; column < width; column += pixel_step) {
             const float depth = depth_m[row * width + column];
             if (has_distance(depth)) {
                 const Eigen::Vector2d slope = slope_at(camera, column, row);
@@ -135,8 +135,8 @@ public:
         const FrameData first_frame = recording.read_frame(first);
         second_ = recording.read_frame(second);
         points_ = camera_ ? points_of_image(*camera_, first_frame.depth_m)
-                          : points_of_scan(first_frame.ends_m, kScanPoints);
-        others_ = points_of_scan(second_.ends_m, kOtherScanPoints);
+                          : points_of_scan(first_frame.ends_m, scan_points);
+        others_ = points_of_scan(second_.ends_m, other_scan_points);
     }
 
     void add_differences(const Eigen::Isometry3d& second_from_first,

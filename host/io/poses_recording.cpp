@@ -20,20 +20,20 @@
 namespace zonegrid {
 namespace {
 
-constexpr double kDefaultUnitsPerM = 1000.0;
-constexpr double kFramesPerSecond = 30.0;
-constexpr std::string_view kImageEnding = ".depth.png";
-constexpr std::string_view kFirstName = "frame-";
+constexpr double default_units_per_m = 1000.0;
+constexpr double frames_per_second = 30.0;
+constexpr std::string_view image_ending = ".depth.png";
+constexpr std::string_view first_name = "frame-";
 
 /// The number in "frame-NNNNNN.depth.png"; none if the name is another.
 std::optional<std::uint32_t> frame_number(const std::filesystem::path& file) {
     const std::string name = file.filename().string();
-    if (!name.starts_with(kFirstName) || !name.ends_with(kImageEnding)) {
+    if (!name.starts_with(first_name) || !name.ends_with(image_ending)) {
         return std::nullopt;
     }
-    const char* const end = name.data() + name.size() - kImageEnding.size();
+    const char* const end = name.data() + name.size() - image_ending.size();
     std::uint32_t number = 0;
-    const auto [stop, error] = std::from_chars(name.data() + kFirstName.size(), end, number);
+    const auto [stop, error] = std::from_chars(name.data() + first_name.size(), end, number);
     if (error != std::errc{} || stop != end) {
         return std::nullopt;
     }
@@ -59,7 +59,7 @@ std::vector<NumberedImage> find_images(const std::filesystem::path& folder) {
 /// The folder itself, or its subfolder data/, which holds the images.
 std::filesystem::path image_folder(const std::filesystem::path& folder) {
     std::error_code error;
-    const std::filesystem::path inner = folder / "data";
+    std::filesystem::path inner = folder / "data";
     if (find_images(folder).empty() && std::filesystem::is_directory(inner, error)) {
         return inner;
     }
@@ -135,13 +135,13 @@ std::vector<TimedPose> pair_images(const std::filesystem::path& images,
     std::size_t without_pose = 0;
     for (const auto& [number, file] : find_images(images)) {
         std::string pose_name = file.filename().string();
-        pose_name.replace(pose_name.size() - kImageEnding.size(), kImageEnding.size(), ".pose.txt");
+        pose_name.replace(pose_name.size() - image_ending.size(), image_ending.size(), ".pose.txt");
         std::error_code error;
         if (!std::filesystem::exists(images / pose_name, error)) {
             ++without_pose;
             continue;
         }
-        const double time_s = static_cast<double>(number) / kFramesPerSecond;
+        const double time_s = static_cast<double>(number) / frames_per_second;
         frames.add(time_s, file, file.string());
         poses.push_back({time_s, read_pose(images / pose_name)});
     }
@@ -180,9 +180,9 @@ std::unique_ptr<Recording> open_poses_recording(const std::filesystem::path& fol
     contents.navigation = samples_of_poses(poses, axes, contents.camera->body_from_camera);
     contents.notes.push_back(describe_pose_navigation(axes));
     contents.notes.push_back(
-        fmt::format("Times: frame number / {} s, for the layout has none.", kFramesPerSecond));
+        fmt::format("Times: frame number / {} s, for the layout has none.", frames_per_second));
     DepthCoding coding;
-    coding.units_per_m = options.depth_units_per_m.value_or(kDefaultUnitsPerM);
+    coding.units_per_m = options.depth_units_per_m.value_or(default_units_per_m);
     coding.missing = {0.0F, 65535.0F};
     contents.notes.push_back(
         fmt::format("Depth: {} units per metre, 0 and 65535 are missing.", coding.units_per_m));

@@ -23,7 +23,7 @@ struct Layout {
 };
 
 /// In the order in which they are tried.
-constexpr std::array<Layout, 5> kLayouts{{
+constexpr std::array<Layout, 5> layouts{{
     {"plain", "description.toml", is_plain_recording, open_plain_recording},
     {"kitti", "oxts/ and velodyne_points/", is_kitti_recording, open_kitti_recording},
     {"clouds", "graph.txt", is_clouds_recording, open_clouds_recording},
@@ -61,8 +61,8 @@ void check_options(const RecordingOptions& options) {
 }
 
 const Layout& layout_named(const std::string& name) {
-    const auto found = std::ranges::find(kLayouts, name, &Layout::name);
-    if (found == kLayouts.end()) {
+    const auto found = std::ranges::find(layouts, name, &Layout::name);
+    if (found == layouts.end()) {
         throw UsageError(
             fmt::format("layout '{}' is unknown; give auto, tum, poses, kitti, clouds "
                         "or plain",
@@ -73,7 +73,7 @@ const Layout& layout_named(const std::string& name) {
 
 const Layout& recognise(const std::filesystem::path& folder) {
     std::string tried;
-    for (const Layout& layout : kLayouts) {
+    for (const Layout& layout : layouts) {
         if (layout.recognise(folder)) {
             return layout;
         }

@@ -14,7 +14,7 @@
 namespace zonegrid {
 namespace {
 
-constexpr std::size_t kSkippedListed = 10;
+constexpr std::size_t skipped_listed = 10;
 
 /// The reason behind a status other than `integrated`.
 SkipReason reason_of(ImageStatus status) {
@@ -117,7 +117,7 @@ private:
 
     void skip(const std::string& where, SkipReason reason, const std::string& problem) {
         ++summary_.skipped[static_cast<std::size_t>(reason)];
-        if (summary_.skipped_first.size() < kSkippedListed) {
+        if (summary_.skipped_first.size() < skipped_listed) {
             summary_.skipped_first.push_back({where, reason, problem});
         }
     }
@@ -153,7 +153,7 @@ private:
 } // namespace
 
 std::string name_of(SkipReason reason) {
-    constexpr std::array<const char*, kSkipReasons> names{"damaged", "no_navigation",
+    constexpr std::array<const char*, skip_reasons> names{"damaged", "no_navigation",
                                                           "pose_out_of_range", "out_of_order"};
     return names[static_cast<std::size_t>(reason)];
 }

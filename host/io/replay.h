@@ -18,7 +18,7 @@ namespace zonegrid {
 /// Why an image or scan was not integrated.
 enum class SkipReason { damaged, no_navigation, pose_out_of_range, out_of_order };
 
-inline constexpr std::size_t kSkipReasons = 4;
+inline constexpr std::size_t skip_reasons = 4;
 
 /// How reports call the reason, as a JSON key and, with spaces, in text.
 [[nodiscard]] std::string name_of(SkipReason reason);
@@ -43,7 +43,7 @@ struct StageTimes {
 struct ReplaySummary {
     std::uint64_t images = 0; ///< that the replay looked at
     std::uint64_t integrated = 0;
-    std::array<std::uint64_t, kSkipReasons> skipped{}; ///< by SkipReason
+    std::array<std::uint64_t, skip_reasons> skipped{}; ///< by SkipReason
     std::vector<SkippedImage> skipped_first;           ///< the first few
 
     StageTimes read;      ///< file to depths in metres

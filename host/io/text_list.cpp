@@ -14,22 +14,22 @@
 namespace zonegrid {
 namespace {
 
-constexpr std::string_view kWhiteSpace = " \t\r\f\v";
+constexpr std::string_view white_space = " \t\r\f\v";
 
 std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(kWhiteSpace);
+    const std::size_t first = text.find_first_not_of(white_space);
     if (first == std::string_view::npos) {
         return {};
     }
-    return text.substr(first, text.find_last_not_of(kWhiteSpace) - first + 1);
+    return text.substr(first, text.find_last_not_of(white_space) - first + 1);
 }
 
 std::vector<std::string> cut_at_white_space(std::string_view line) {
     std::vector<std::string> fields;
-    for (std::size_t at = line.find_first_not_of(kWhiteSpace); at != std::string_view::npos;) {
-        const std::size_t end = line.find_first_of(kWhiteSpace, at);
+    for (std::size_t at = line.find_first_not_of(white_space); at != std::string_view::npos;) {
+        const std::size_t end = line.find_first_of(white_space, at);
         fields.emplace_back(line.substr(at, end - at));
-        at = line.find_first_not_of(kWhiteSpace, end);
+        at = line.find_first_not_of(white_space, end);
     }
     return fields;
 }

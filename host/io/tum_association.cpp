@@ -14,7 +14,7 @@
 namespace zonegrid {
 namespace {
 
-constexpr std::size_t kPoseFields = 7;
+constexpr std::size_t pose_fields = 7;
 
 /// The depth image among the fields before the pose: the file whose name says so, else the last.
 std::size_t find_depth_field(std::span<const std::string> fields, const std::string& where) {
@@ -55,15 +55,15 @@ TumAssociation read_tum_association(const std::filesystem::path& file,
     std::size_t doubled = 0;
     for (const ListLine& line : read_text_list(file)) {
         const std::string where = place_of(file, line.number);
-        if (line.fields.size() <= kPoseFields) {
+        if (line.fields.size() <= pose_fields) {
             throw InputError(where, fmt::format("{} fields are too few", line.fields.size()),
                              "a line ends in the camera's pose: 'rgb depth tx ty tz qx qy qz qw'");
         }
         const auto fields = std::span(line.fields);
-        const auto names = fields.first(fields.size() - kPoseFields);
+        const auto names = fields.first(fields.size() - pose_fields);
         const std::size_t depth_field = find_depth_field(names, where);
         const double time_s = time_of(names, depth_field, where);
-        const Eigen::Isometry3d pose = parse_pose(fields.last<kPoseFields>(), where);
+        const Eigen::Isometry3d pose = parse_pose(fields.last<pose_fields>(), where);
         if (!seen.insert(names[depth_field]).second) {
             ++doubled;
             continue;

@@ -19,7 +19,7 @@
 namespace zonegrid {
 namespace {
 
-constexpr double kDefaultUnitsPerM = 5000.0;
+constexpr double default_units_per_m = 5000.0;
 
 /// Depth camera of one of the benchmark's three Kinects: fx fy cx cy in pixels.
 struct KnownCamera {
@@ -27,7 +27,7 @@ struct KnownCamera {
     std::array<double, 4> intrinsics;
 };
 
-constexpr std::array<KnownCamera, 4> kKnownCameras{{
+constexpr std::array<KnownCamera, 4> known_cameras{{
     {"freiburg1", {517.3, 516.5, 318.6, 255.3}},
     {"freiburg2", {520.9, 521.0, 325.1, 249.7}},
     {"freiburg3", {535.4, 539.2, 320.1, 247.6}},
@@ -52,7 +52,7 @@ std::array<double, 4> choose_intrinsics(const std::filesystem::path& folder,
         return *options.intrinsics;
     }
     const std::string name = folder.filename().string();
-    const KnownCamera& known = *std::ranges::find_if(kKnownCameras, [&](const KnownCamera& camera) {
+    const KnownCamera& known = *std::ranges::find_if(known_cameras, [&](const KnownCamera& camera) {
         return name.find(camera.folder_part) != std::string::npos;
     });
     const auto& [fx, fy, cx, cy] = known.intrinsics;
@@ -138,7 +138,7 @@ std::unique_ptr<Recording> open_tum_recording(const std::filesystem::path& folde
     contents.navigation = samples_of_poses(poses, axes, contents.camera->body_from_camera);
     contents.notes.push_back(describe_pose_navigation(axes));
     DepthCoding coding;
-    coding.units_per_m = options.depth_units_per_m.value_or(kDefaultUnitsPerM);
+    coding.units_per_m = options.depth_units_per_m.value_or(default_units_per_m);
     contents.notes.push_back(
         fmt::format("Depth: {} units per metre, 0 is missing.", coding.units_per_m));
     return std::make_unique<ImageRecording>(std::move(contents), std::move(coding));

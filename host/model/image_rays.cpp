@@ -74,6 +74,19 @@ std::vector<std::int32_t> range_limits(const Camera& camera, double range_sub) {
     return limits;
 }
 
+/// A mounting that scales would draw beyond the window.
+void check_mounting(const Eigen::Isometry3d& body_from_camera) {
+    constexpr double greatest_error = 1e-4;
+    const Eigen::Matrix3d rotation = body_from_camera.linear();
+    const double error =
+        (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+    if (!(error <= greatest_error) || rotation.determinant() < 0.0 ||
+        !body_from_camera.translation().allFinite()) {
+        refuse("mounting",
+               "body_from_camera is no rotation and finite translation; check its axes");
+    }
+}
+
 } // namespace
 
 void check_camera(const Camera& camera) {
@@ -101,6 +114,7 @@ void check_camera(const Camera& camera) {
         refuse("directions",
                fmt::format("{} entries for {} pixels", camera.directions.size(), pixels));
     }
+    check_mounting(camera.body_from_camera);
     if (camera.stereo) {
         const auto& stereo = *camera.stereo;
         if (!std::isfinite(stereo.baseline_m) || stereo.baseline_m <= 0.0) {
@@ -144,8 +158,11 @@ PixelDepth ImageQuantizer::quantize_depth(float depth_m, std::int32_t limit) con
 void ImageQuantizer::place_camera(const Eigen::Isometry3d& world_from_camera, const Window& window,
                                   ImageRays& rays) const {
     const Eigen::Matrix3d& rotation = world_from_camera.linear();
-    rays.a = fixed_direction(rotation, -camera_.cx_px / camera_.fx_px,
-                             -camera_.cy_px / camera_.fy_px, 1.0);
+    rays.a = {};
+    if (camera_.directions.empty()) {
+        rays.a = fixed_direction(rotation, -camera_.cx_px / camera_.fx_px,
+                                 -camera_.cy_px / camera_.fy_px, 1.0);
+    }
     rays.u = fixed_direction(rotation, 1.0 / camera_.fx_px, 0.0, 0.0);
     rays.v = fixed_direction(rotation, 0.0, 1.0 / camera_.fy_px, 0.0);
     rays.directions.clear();

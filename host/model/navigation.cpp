@@ -30,6 +30,34 @@ void check_sample(const NavigationSample& sample) {
     }
 }
 
+// Written out, not left to Eigen: its order of sums (and, on some processors, fused products)
+// depends on the build, and the last bit of a pose decides cells.
+
+Eigen::Quaterniond unit(const Eigen::Quaterniond& q) {
+    const double norm =
+        std::sqrt(((q.w() * q.w() + q.x() * q.x()) + q.y() * q.y()) + q.z() * q.z());
+    return {q.w() / norm, q.x() / norm, q.y() / norm, q.z() / norm};
+}
+
+Eigen::Quaterniond product(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
+    return {a.w() * b.w() - a.x() * b.x() - a.y() * b.y() - a.z() * b.z(),
+            a.w() * b.x() + a.x() * b.w() + a.y() * b.z() - a.z() * b.y(),
+            a.w() * b.y() - a.x() * b.z() + a.y() * b.w() + a.z() * b.x(),
+            a.w() * b.z() + a.x() * b.y() - a.y() * b.x() + a.z() * b.w()};
+}
+
+Eigen::Quaterniond turn_by(const Eigen::Vector3d& rate_radps, double dt_s) {
+    const double x = rate_radps.x() * dt_s;
+    const double y = rate_radps.y() * dt_s;
+    const double z = rate_radps.z() * dt_s;
+    const double angle_rad = std::sqrt((x * x + y * y) + z * z);
+    if (angle_rad == 0.0) {
+        return Eigen::Quaterniond::Identity();
+    }
+    const double share = std::sin(angle_rad / 2.0) / angle_rad;
+    return {std::cos(angle_rad / 2.0), x * share, y * share, z * share};
+}
+
 } // namespace
 
 void NavigationBuffer::add(const NavigationSample& sample) {
@@ -57,16 +85,28 @@ std::optional<Eigen::Isometry3d> NavigationBuffer::world_from_body(double time_s
 }
 
 Eigen::Isometry3d extrapolate_pose(const NavigationSample& sample, double dt_s) {
-    const Eigen::Vector3d turn_rad = sample.body_rate_radps * dt_s;
-    const double angle_rad = turn_rad.norm();
-    Eigen::Quaterniond attitude = sample.world_from_body.normalized();
-    if (angle_rad > 0.0) {
-        attitude = attitude * Eigen::AngleAxisd(angle_rad, turn_rad / angle_rad);
-    }
+    const Eigen::Quaterniond attitude =
+        product(unit(sample.world_from_body), turn_by(sample.body_rate_radps, dt_s));
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     pose.linear() = attitude.toRotationMatrix();
-    pose.translation() = sample.position_m + sample.velocity_mps * dt_s +
-                         sample.acceleration_mps2 * (0.5 * dt_s * dt_s);
+    for (int i = 0; i < 3; ++i) {
+        pose(i, 3) = (sample.position_m[i] + sample.velocity_mps[i] * dt_s) +
+                     sample.acceleration_mps2[i] * dt_s * dt_s / 2.0;
+    }
+    return pose;
+}
+
+Eigen::Isometry3d mount_sensor(const Eigen::Isometry3d& world_from_body,
+                               const Eigen::Isometry3d& body_from_sensor) {
+    const auto& a = world_from_body;
+    const auto& b = body_from_sensor;
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 4; ++j) {
+            pose(i, j) = (a(i, 0) * b(0, j) + a(i, 1) * b(1, j)) + a(i, 2) * b(2, j);
+        }
+        pose(i, 3) += a(i, 3);
+    }
     return pose;
 }
 

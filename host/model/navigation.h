@@ -28,4 +28,8 @@ private:
 /// The sample carried over `dt_s` (either sign).
 [[nodiscard]] Eigen::Isometry3d extrapolate_pose(const NavigationSample& sample, double dt_s);
 
+/// Pose of a sensor on the body, summed in the order docs/model.md gives.
+[[nodiscard]] Eigen::Isometry3d mount_sensor(const Eigen::Isometry3d& world_from_body,
+                                             const Eigen::Isometry3d& body_from_sensor);
+
 } // namespace zonegrid

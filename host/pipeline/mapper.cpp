@@ -178,7 +178,7 @@ private:
             result.status = ImageStatus::no_navigation;
             return false;
         }
-        result.world_from_sensor = *body * body_from_sensor;
+        result.world_from_sensor = mount_sensor(*body, body_from_sensor);
         const auto cell = cell_of(result.world_from_sensor.translation(), options_.cell_m);
         if (!cell) {
             result.status = ImageStatus::pose_out_of_range;

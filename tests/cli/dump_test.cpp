@@ -70,10 +70,11 @@ TEST_F(DumpTest, RefusesObjectsThatAreNotTheReports) {
 TEST_F(DumpTest, ListsObjectsInTheirOwnForm) {
     const std::string lines = run("zonegrid dump --objects map | head -n 1").output;
     const nlohmann::json first = read_json("map/objects.json")["objects"][0];
-    EXPECT_THAT(lines, StartsWith(first["id"][0].dump() + " " + first["id"][1].dump() + " " +
-                                  first["id"][2].dump() + " " + first["cells"].dump() + " "));
-    EXPECT_THAT(lines, HasSubstr(" " + first["octree"].get<std::string>() + " " +
-                                 first["prism"].get<std::string>() + "\n"));
+    EXPECT_THAT(lines,
+                StartsWith(fmt::format("{} {} {} {} ", first["id"][0].dump(), first["id"][1].dump(),
+                                       first["id"][2].dump(), first["cells"].dump())));
+    EXPECT_THAT(lines, HasSubstr(fmt::format(" {} {}\n", first["octree"].get<std::string>(),
+                                             first["prism"].get<std::string>())));
 }
 
 } // namespace

@@ -18,8 +18,8 @@ using ::testing::IsNan;
 using testing::RecordingFolder;
 using testing::refuses;
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinite = std::numeric_limits<float>::infinity();
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 Camera camera_3x2() {
     Camera camera;
@@ -38,17 +38,17 @@ TEST(DepthDecoder, ScalesPngAndMarksMissingAndInfinite) {
         folder.write_depth("a.png", 3, std::array<std::uint16_t, 6>{0, 1000, 65535, 65534, 7, 1});
     const DepthDecoder decoder(
         {.units_per_m = 1000.0, .missing = {0.0F, 65535.0F}, .infinite = {65534.0F}}, camera_3x2());
-    EXPECT_THAT(decoder.decode(file), ElementsAre(IsNan(), FloatEq(1.0F), IsNan(), kInfinity,
+    EXPECT_THAT(decoder.decode(file), ElementsAre(IsNan(), FloatEq(1.0F), IsNan(), infinite,
                                                   FloatEq(0.007F), FloatEq(0.001F)));
 }
 
 TEST(DepthDecoder, TakesZeroNegativeAndNanAsMissingWhateverTheListSays) {
     const RecordingFolder folder;
-    const auto file = folder.write_npy("a.npy", "(2, 3)",
-                                       std::array{0.0F, -1.0F, kNan, -kInfinity, kInfinity, 99.9F});
+    const auto file = folder.write_npy(
+        "a.npy", "(2, 3)", std::array{0.0F, -1.0F, not_a_number, -infinite, infinite, 99.9F});
     const DepthDecoder decoder({.missing = {99.9F}}, camera_3x2());
     EXPECT_THAT(decoder.decode(file),
-                ElementsAre(IsNan(), IsNan(), IsNan(), IsNan(), kInfinity, IsNan()));
+                ElementsAre(IsNan(), IsNan(), IsNan(), IsNan(), infinite, IsNan()));
 }
 
 TEST(DepthDecoder, TurnsRayDistancesIntoAxisDistances) {
@@ -83,7 +83,7 @@ TEST(DepthDecoder, RefusesOtherSizesShapesAndEndings) {
 }
 
 TEST(DepthDecoder, RefusesAbsurdScales) {
-    for (const double scale : {0.0, -1000.0, kInfinity * 1.0, std::nan(""), 1e-300, 1e300}) {
+    for (const double scale : {0.0, -1000.0, infinite * 1.0, std::nan(""), 1e-300, 1e300}) {
         EXPECT_THROW(DepthDecoder({.units_per_m = scale}, camera_3x2()), UsageError) << scale;
     }
 }

@@ -14,20 +14,20 @@ namespace {
 using testing::RecordingFolder;
 using testing::refuses;
 
-constexpr std::array<std::uint16_t, 6> kValues{0, 1, 255, 256, 5000, 65535};
+constexpr std::array<std::uint16_t, 6> stored_values{0, 1, 255, 256, 5000, 65535};
 
 TEST(DepthPng, KeepsAll16BitsAndTheOrderOfPixels) {
     const RecordingFolder folder;
-    const auto file = folder.write_depth("a.png", 3, kValues);
+    const auto file = folder.write_depth("a.png", 3, stored_values);
     const DepthPng image = read_depth_png(file);
     EXPECT_EQ(image.size, (ImageSize{3, 2}));
-    EXPECT_THAT(image.values, ::testing::ElementsAreArray(kValues));
+    EXPECT_THAT(image.values, ::testing::ElementsAreArray(stored_values));
     EXPECT_EQ(read_depth_png_size(file), (ImageSize{3, 2}));
 }
 
 TEST(DepthPng, RefusesEveryTruncation) {
     const RecordingFolder folder;
-    const auto file = folder.write_depth("a.png", 3, kValues);
+    const auto file = folder.write_depth("a.png", 3, stored_values);
     const std::string whole = folder.bytes("a.png");
     for (std::size_t size = 0; size < whole.size(); ++size) {
         folder.write("a.png", whole.substr(0, size));
@@ -39,7 +39,7 @@ TEST(DepthPng, RefusesEveryTruncation) {
 
 TEST(DepthPng, RefusesEveryFlippedBitInThePixels) {
     const RecordingFolder folder;
-    const auto file = folder.write_depth("a.png", 3, kValues);
+    const auto file = folder.write_depth("a.png", 3, stored_values);
     const std::string whole = folder.bytes("a.png");
     const std::size_t data = whole.find("IDAT") + 4;
     const std::size_t end = whole.find("IEND") - 4;
@@ -68,8 +68,8 @@ TEST(DepthPng, RefusesWhatIsNoPngOrIsTooLarge) {
     const RecordingFolder folder;
     const auto text = folder.write("text.png", "this is no image at all, only a text");
     EXPECT_THAT([&] { static_cast<void>(read_depth_png(text)); }, refuses("text.png"));
-    const auto wide = folder.write_depth("wide.png", kLargestImage_px + 1,
-                                         std::vector<std::uint16_t>(kLargestImage_px + 1));
+    const auto wide = folder.write_depth("wide.png", largest_image_px + 1,
+                                         std::vector<std::uint16_t>(largest_image_px + 1));
     EXPECT_THAT([&] { static_cast<void>(read_depth_png(wide)); }, refuses("wide.png"));
     EXPECT_THAT([&] { static_cast<void>(read_depth_png(folder.path() / "none.png")); },
                 refuses("none.png", "cannot be opened"));

@@ -18,7 +18,7 @@ using testing::RecordingFolder;
 using testing::refuses;
 using ::testing::SizeIs;
 
-constexpr const char* kCalibration =
+constexpr const char* calibration =
     "calib_time: 25-May-2012 16:47:16\n"
     "R: 1 0 0 0 1 0 0 0 1\n"
     "T: -0.8 0.3 -0.8\n";
@@ -36,7 +36,7 @@ std::string row(double latitude_deg, double longitude_deg, double roll_rad, doub
 
 /// Two rows and sweeps: heading north, then heading east and 0.00001 degrees further north.
 void fill(const RecordingFolder& folder) {
-    folder.write("calib_imu_to_velo.txt", kCalibration);
+    folder.write("calib_imu_to_velo.txt", calibration);
     const std::string times =
         "2011-09-26 13:04:32.335337762\n2011-09-26 13:04:32.438625628\n"
         "2011-09-26 13:04:32.541951663\n";

@@ -6,7 +6,7 @@ namespace zonegrid {
 namespace {
 
 /// A real one: the colour camera of the TUM freiburg1 sequences.
-constexpr BrownConrady kRealLens{
+constexpr BrownConrady real_lens{
     .k1 = 0.2624, .k2 = -0.9531, .p1 = -0.0054, .p2 = 0.0026, .k3 = 1.1633};
 
 TEST(LensDistortion, FollowsTheFormula) {
@@ -23,7 +23,7 @@ TEST(LensDistortion, UndistortsToWhatIsDistorted) {
         for (double y = -0.5; y <= 0.5; y += 0.05) {
             const Eigen::Vector2d ideal(x, y);
             Eigen::Vector2d found;
-            ASSERT_TRUE(undistort(distort(ideal, kRealLens), kRealLens, found)) << x << " " << y;
+            ASSERT_TRUE(undistort(distort(ideal, real_lens), real_lens, found)) << x << " " << y;
             EXPECT_NEAR((found - ideal).norm(), 0.0, 1e-8) << x << " " << y;
             ++checked;
         }

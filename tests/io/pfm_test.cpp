@@ -16,11 +16,11 @@ using testing::RecordingFolder;
 using testing::refuses;
 
 /// Rows bottom first, as the format has them: the picture is 1 2 3 over 4 5 6.
-constexpr std::array<float, 6> kFileOrder{4.0F, 5.0F, 6.0F, 1.0F, 2.0F, 3.0F};
+constexpr std::array<float, 6> file_order{4.0F, 5.0F, 6.0F, 1.0F, 2.0F, 3.0F};
 
 std::string pfm(const std::string& header, bool big_endian) {
     std::string bytes = header;
-    for (const float value : kFileOrder) {
+    for (const float value : file_order) {
         std::array<char, 4> four{};
         std::memcpy(four.data(), &value, 4);
         if (big_endian) {

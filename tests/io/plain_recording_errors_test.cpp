@@ -15,15 +15,15 @@ namespace {
 using testing::RecordingFolder;
 using testing::refuses;
 
-constexpr const char* kCamera =
+constexpr const char* camera_table =
     "[camera]\nmodel = \"pinhole\"\nwidth_px = 3\nheight_px = 2\n"
     "fx_px = 2\nfy_px = 2.5\ncx_px = 1.0\ncy_px = 0.5\n";
-constexpr const char* kNavigation =
+constexpr const char* navigation_rows =
     "time_s,north_m,east_m,down_m,roll_rad,pitch_rad,yaw_rad\n"
     "1.00,10,20,-30,0.1,-0.2,0.3\n";
 
 void fill(const RecordingFolder& folder, const std::string& description,
-          const std::string& navigation = kNavigation) {
+          const std::string& navigation = navigation_rows) {
     folder.write_depth("depth/a.png", 3, std::array<std::uint16_t, 6>{1000});
     folder.write("description.toml", description);
     folder.write("navigation.csv", navigation);
@@ -41,7 +41,7 @@ struct BadDescription {
 };
 
 TEST(PlainDescription, RefusesBadKeysAndNamesThem) {
-    const std::string camera = kCamera;
+    const std::string camera = camera_table;
     const std::string depth = "[depth]\nunits_per_m = 1000\n";
     const auto with = [&](const std::string& from, const std::string& to) {
         std::string changed = camera;
@@ -99,7 +99,7 @@ TEST(PlainDescription, RefusesBadKeysAndNamesThem) {
 TEST(PlainNavigation, RefusesBadTables) {
     const RecordingFolder folder;
     const auto with = [&](const std::string& navigation) {
-        fill(folder, std::string(kCamera) + "[depth]\nunits_per_m = 1000\n", navigation);
+        fill(folder, std::string(camera_table) + "[depth]\nunits_per_m = 1000\n", navigation);
         return opening(folder);
     };
     const std::string header = "time_s,north_m,east_m,down_m,roll_rad,pitch_rad,yaw_rad";

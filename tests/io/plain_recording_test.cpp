@@ -20,23 +20,23 @@ using testing::RecordingFolder;
 using testing::refuses;
 using ::testing::SizeIs;
 
-constexpr std::array<std::uint16_t, 6> kDepth{1000, 0, 2000, 65535, 65534, 3000};
-constexpr std::array<float, 6> kMetres{1.F, 2.F, 3.F, 4.F, 5.F, 6.F};
+constexpr std::array<std::uint16_t, 6> stored_depth{1000, 0, 2000, 65535, 65534, 3000};
+constexpr std::array<float, 6> metres{1.F, 2.F, 3.F, 4.F, 5.F, 6.F};
 
-constexpr const char* kCamera =
+constexpr const char* camera_table =
     "[camera]\nmodel = \"pinhole\"\nwidth_px = 3\nheight_px = 2\n"
     "fx_px = 2\nfy_px = 2.5\ncx_px = 1.0\ncy_px = 0.5\n";
-constexpr const char* kNavigation =
+constexpr const char* navigation_rows =
     "time_s,north_m,east_m,down_m,roll_rad,pitch_rad,yaw_rad\n"
     "1.00,10,20,-30,0.1,-0.2,0.3\n"
     "1.01,10.1,20,-30.05,0.1,-0.2,0.3\n";
 
 void fill(const RecordingFolder& folder, const std::string& description,
-          const std::string& navigation = kNavigation) {
-    folder.write_depth("depth/a.png", 3, kDepth);
-    folder.write_npy("depth/b.npy", "(2, 3)", kMetres);
+          const std::string& navigation = navigation_rows) {
+    folder.write_depth("depth/a.png", 3, stored_depth);
+    folder.write_npy("depth/b.npy", "(2, 3)", metres);
     std::string pfm = "Pf\n3 2\n-1\n";
-    pfm.append(reinterpret_cast<const char*>(kMetres.data()), sizeof(kMetres));
+    pfm.append(reinterpret_cast<const char*>(metres.data()), sizeof(metres));
     folder.write("depth/c.pfm", pfm);
     folder.write("description.toml", description);
     folder.write("navigation.csv", navigation);
@@ -51,7 +51,7 @@ auto opening(const RecordingFolder& folder) {
 
 TEST(PlainRecording, ReadsImagesOfAllFormats) {
     const RecordingFolder folder;
-    fill(folder, std::string(kCamera) +
+    fill(folder, std::string(camera_table) +
                      "[depth]\nunits_per_m = 1000\nmissing = [0, 65535]\n"
                      "infinite = [65534]\n");
     const auto recording = open_recording(folder.path());
@@ -74,7 +74,7 @@ TEST(PlainRecording, ReadsImagesOfAllFormats) {
 
 TEST(PlainRecording, ReadsNavigationAndDerivesWhatIsNotGiven) {
     const RecordingFolder folder;
-    fill(folder, std::string(kCamera) + "[depth]\nunits_per_m = 1000\n");
+    fill(folder, std::string(camera_table) + "[depth]\nunits_per_m = 1000\n");
     const auto recording = open_recording(folder.path());
     ASSERT_THAT(recording->navigation(), SizeIs(2));
     const NavigationSample& first = recording->navigation()[0];
@@ -86,7 +86,7 @@ TEST(PlainRecording, ReadsNavigationAndDerivesWhatIsNotGiven) {
 
 TEST(PlainRecording, ReadsAllNavigationColumnsInAnyOrder) {
     const RecordingFolder folder;
-    fill(folder, std::string(kCamera) + "[depth]\nunits_per_m = 1000\n",
+    fill(folder, std::string(camera_table) + "[depth]\nunits_per_m = 1000\n",
          "# by the flight controller\n"
          "yaw_deg, time_s, north_m, east_m, down_m, north_mps, east_mps, down_mps, north_mps2, "
          "east_mps2, down_mps2, roll_deg, pitch_deg, roll_degps, pitch_degps, yaw_degps\n"
@@ -105,7 +105,8 @@ TEST(PlainRecording, ReadsAllNavigationColumnsInAnyOrder) {
 TEST(PlainRecording, TurnsOtherWorldsByQuaternionColumns) {
     const RecordingFolder folder;
     fill(folder,
-         std::string(kCamera) + "[depth]\nunits_per_m = 1000\n[world]\naxes = \"east_north_up\"\n",
+         std::string(camera_table) +
+             "[depth]\nunits_per_m = 1000\n[world]\naxes = \"east_north_up\"\n",
          "time_s,x_m,y_m,z_m,x_mps,y_mps,z_mps,qx,qy,qz,qw\n1,1,2,3,4,5,6,1,0,0,0\n");
     const NavigationSample sample = open_recording(folder.path())->navigation().at(0);
     EXPECT_EQ(sample.position_m, Eigen::Vector3d(2, 1, -3));
@@ -125,7 +126,7 @@ TEST(PlainRecording, TurnsOtherWorldsByQuaternionColumns) {
 
 TEST(PlainRecording, ReadsMountingStereoAndOrigin) {
     const RecordingFolder folder;
-    fill(folder, std::string(kCamera) +
+    fill(folder, std::string(camera_table) +
                      "[depth]\nunits_per_m = 1000\n"
                      "[mounting]\nposition_m = [0.5, 0, -0.25]\npitch_deg = -90\n"
                      "[stereo]\nbaseline_m = 0.3\ndisparity_sigma_px = 0.25\n"
@@ -143,7 +144,7 @@ TEST(PlainRecording, ReadsMountingStereoAndOrigin) {
 
 TEST(PlainRecording, TurnsALensIntoDirections) {
     const RecordingFolder folder;
-    std::string camera = kCamera;
+    std::string camera = camera_table;
     camera.replace(camera.find("pinhole"), 7, "brown_conrady");
     fill(folder, camera + "k1 = -0.1\np1 = 0.01\n[depth]\nunits_per_m = 1000\nkind = \"ray\"\n");
     const auto recording = open_recording(folder.path());
@@ -193,7 +194,7 @@ TEST(PlainRecording, ReadsATableOfDirections) {
 TEST(PlainRecording, ReadsScans) {
     const RecordingFolder folder;
     fill(folder, "[scanner]\n[mounting]\nposition_m = [0, 0, 1]\nyaw_deg = 90\n");
-    folder.write_npy("scans/1.npy", "(2, 3)", kMetres);
+    folder.write_npy("scans/1.npy", "(2, 3)", metres);
     folder.write("frames.csv", "time_s,file\n1.002,scans/1.npy\n");
     const auto recording = open_recording(folder.path());
     EXPECT_FALSE(recording->camera().has_value());
@@ -210,7 +211,7 @@ TEST(PlainRecording, ReadsScans) {
 
 TEST(PlainRecording, SkipsAbsentFramesWithOneWarning) {
     const RecordingFolder folder;
-    fill(folder, std::string(kCamera) + "[depth]\nunits_per_m = 1000\n");
+    fill(folder, std::string(camera_table) + "[depth]\nunits_per_m = 1000\n");
     std::filesystem::remove(folder.path() / "depth/a.png");
     const auto recording = open_recording(folder.path());
     EXPECT_THAT(recording->frames(), SizeIs(2));

@@ -18,11 +18,11 @@ using testing::RecordingFolder;
 using testing::refuses;
 using ::testing::SizeIs;
 
-constexpr std::array<std::uint16_t, 4> kDepth{1000, 0, 65535, 2500};
-constexpr const char* kIdentity = "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
+constexpr std::array<std::uint16_t, 4> stored_depth{1000, 0, 65535, 2500};
+constexpr const char* identity = "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
 
 void add_frame(const RecordingFolder& folder, int number, const std::string& pose) {
-    folder.write_depth(fmt::format("data/frame-{:06}.depth.png", number), 2, kDepth);
+    folder.write_depth(fmt::format("data/frame-{:06}.depth.png", number), 2, stored_depth);
     folder.write(fmt::format("data/frame-{:06}.pose.txt", number), pose);
 }
 
@@ -32,7 +32,7 @@ void add_intrinsics(const RecordingFolder& folder, const std::string& matrix) {
 
 /// Two frames; the second camera is moved by (1, 2, 3) and turned by 90 degrees about y (down).
 void fill(const RecordingFolder& folder) {
-    add_frame(folder, 200, kIdentity);
+    add_frame(folder, 200, identity);
     add_frame(folder, 202, "0 0 1 1\n0 1 0 2\n-1 0 0 3\n0 0 0 1\n");
     add_intrinsics(folder, "585 0 320\n0 586 240\n0 0 1\n");
 }

@@ -22,14 +22,14 @@ using testing::RecordingFolder;
 using testing::refuses;
 using ::testing::SizeIs;
 
-constexpr std::array<std::uint16_t, 6> kDepth{5000, 0, 2500, 65535, 1, 10000};
+constexpr std::array<std::uint16_t, 6> stored_depth{5000, 0, 2500, 65535, 1, 10000};
 
 /// Three images at 100 Hz poses, the camera at (1, 2, 3) looking along the world's x, z up.
 void fill_published(const RecordingFolder& folder) {
     std::string depth = "# depth maps\n# file: 'x.bag'\n# timestamp filename\n";
     for (const char* time : {"100.00", "100.03", "100.06"}) {
         const std::string name = fmt::format("depth/{}.png", time);
-        folder.write_depth(name, 3, kDepth);
+        folder.write_depth(name, 3, stored_depth);
         depth += fmt::format("{} {}\n", time, name);
     }
     folder.write("depth.txt", depth);
@@ -179,7 +179,7 @@ TEST(TumRecording, LeavesDamagedImagesToTheReadingOfTheFrame) {
     EXPECT_THAT(recording->read_frame(1).depth_m, SizeIs(6));
     EXPECT_THAT([&] { static_cast<void>(recording->read_frame(2)); },
                 refuses("100.06.png", "3 channels of 8 bits"));
-    folder.write_depth("depth/100.06.png", 2, kDepth);
+    folder.write_depth("depth/100.06.png", 2, stored_depth);
     EXPECT_THAT([&] { static_cast<void>(recording->read_frame(2)); },
                 refuses("100.06.png", "2 x 3 pixels", "3 x 2"));
     for (const char* name : {"depth/100.00.png", "depth/100.03.png", "depth/100.06.png"}) {
@@ -190,7 +190,7 @@ TEST(TumRecording, LeavesDamagedImagesToTheReadingOfTheFrame) {
 
 TEST(TumAssociation, TakesTimesFromNamesAndMergesDoubledLines) {
     const RecordingFolder folder;
-    folder.write_depth("depth/7.50.png", 3, kDepth);
+    folder.write_depth("depth/7.50.png", 3, stored_depth);
     folder.write("my_association.txt",
                  "# rgb depth tx ty tz qx qy qz qw\n"
                  "rgb/7.41.png depth/7.40.png 1 2 3 0 0 0 1 \n"
@@ -216,7 +216,7 @@ TEST(TumAssociation, TakesTimesBesideTheFiles) {
           "7.51 rgb/x.png 7.5 depth/x.png 1 2 3 0 0 0 1\n",
           "7.51 rgb/x.png 7.5 depth/x.png 7.505 1 2 3 0 0 0 1\n"}) {
         const RecordingFolder folder;
-        folder.write_depth("depth/x.png", 3, kDepth);
+        folder.write_depth("depth/x.png", 3, stored_depth);
         folder.write("association.txt", line);
         const auto recording = open_recording(folder.path());
         ASSERT_THAT(recording->frames(), SizeIs(1)) << line;
@@ -228,8 +228,8 @@ TEST(TumAssociation, TakesTimesBesideTheFiles) {
 
 TEST(TumAssociation, RefusesBadLines) {
     const RecordingFolder folder;
-    folder.write_depth("depth/7.50.png", 3, kDepth);
-    folder.write_depth("depth/x.png", 3, kDepth);
+    folder.write_depth("depth/7.50.png", 3, stored_depth);
+    folder.write_depth("depth/x.png", 3, stored_depth);
     const auto with_list = [&](const std::string& text) {
         folder.write("association.txt", text);
         return opening(folder);

@@ -106,8 +106,7 @@ private:
             ++seen_.skipped;
             return;
         }
-        ASSERT_TRUE(
-            actual.world_from_sensor.matrix().isApprox(expected.world_from_sensor.matrix(), 1e-14))
+        ASSERT_TRUE(actual.world_from_sensor.matrix() == expected.world_from_sensor.matrix())
             << actual.world_from_sensor.matrix() << "\nexpected\n"
             << expected.world_from_sensor.matrix();
         ASSERT_EQ(actual.missing, expected.missing);

@@ -12,7 +12,7 @@ void add_dump_command(CLI::App& app);
 void add_inspect_command(CLI::App& app);
 
 /// The end of every --help.
-inline constexpr const char* kExitCodes =
+inline constexpr const char* exit_codes =
     "Exit codes: 0 success; 1 failure (data wrong, nothing mapped, output not writable);\n"
     "2 an option or argument that cannot work. Errors are one line on standard error.";
 

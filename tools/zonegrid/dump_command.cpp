@@ -8,11 +8,11 @@
 namespace zonegrid {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* description =
     "Prints the cells of a map as text: a line \"x y z value\" for each cell of the window whose\n"
     "value is not 0, sorted by x, then y, then z. Numbers are cells, x north, y east, z down.";
 
-constexpr const char* kFooter =
+constexpr const char* help_footer =
     "With --objects a line an object, sorted by identifier: id (x y z), number of cells, least "
     "and\n"
     "greatest cell of its box, sums of x, y and z, octree and prism in hexadecimal digits\n"
@@ -34,12 +34,12 @@ struct DumpCommand {
 
 void add_dump_command(CLI::App& app) {
     const auto command = std::make_shared<DumpCommand>();
-    CLI::App* const dump_app = app.add_subcommand("dump", kDescription);
+    CLI::App* const dump_app = app.add_subcommand("dump", description);
     dump_app->add_option("DIR", command->folder, "a folder that zonegrid map wrote")
         ->required()
         ->type_name("");
     dump_app->add_flag("--objects", command->objects, "print the objects in place of the cells");
-    dump_app->footer(std::string(kFooter) + kExitCodes);
+    dump_app->footer(std::string(help_footer) + exit_codes);
     dump_app->callback([command] {
         const auto list = command->objects ? list_objects : list_cells;
         list(command->folder, write_standard_output);

@@ -9,18 +9,18 @@
 namespace zonegrid {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* description =
     "Looks at a recording without mapping it: times and gaps, navigation, path, distances, and "
     "what\n"
     "usually goes wrong (depth scale, world axes, poses given inside out, damaged files).";
 
-constexpr const char* kFooter =
+constexpr const char* help_footer =
     "Examples:\n"
     "  zonegrid inspect flight1\n"
     "  zonegrid inspect flight1 --all --json > flight1.json\n"
     "\n";
 
-constexpr std::size_t kFramesLookedAt = 50;
+constexpr std::size_t frames_looked_at = 50;
 
 struct InspectSettings {
     RecordingSettings source;
@@ -39,16 +39,16 @@ void add_inspect_settings(SettingTable& table, InspectSettings& settings) {
     table.start_group("Inspection");
     table.add(max_gap_setting(settings.max_gap_s));
     table.add(switch_setting(
-        "all", fmt::format("read every image in place of {} evenly spread ones", kFramesLookedAt),
+        "all", fmt::format("read every image in place of {} evenly spread ones", frames_looked_at),
         settings.all));
     table.add(switch_setting("json", "print JSON", settings.json));
 }
 
 void inspect(const InspectSettings& settings) {
     const std::unique_ptr<Recording> recording = open_recording(settings.source);
-    const RecordingInspection inspection =
-        inspect_recording(*recording, settings.max_gap_s,
-                          settings.all ? std::numeric_limits<std::size_t>::max() : kFramesLookedAt);
+    const RecordingInspection inspection = inspect_recording(
+        *recording, settings.max_gap_s,
+        settings.all ? std::numeric_limits<std::size_t>::max() : frames_looked_at);
     write_standard_output(settings.json ? inspection_report(*recording, inspection).dump(2) + "\n"
                                         : inspection_text(*recording, inspection));
 }
@@ -57,10 +57,10 @@ void inspect(const InspectSettings& settings) {
 
 void add_inspect_command(CLI::App& app) {
     const auto command = std::make_shared<InspectCommand>();
-    CLI::App* const inspect_app = app.add_subcommand("inspect", kDescription);
+    CLI::App* const inspect_app = app.add_subcommand("inspect", description);
     add_inspect_settings(command->table, command->settings);
     command->table.declare(*inspect_app);
-    inspect_app->footer(std::string(kFooter) + kExitCodes);
+    inspect_app->footer(std::string(help_footer) + exit_codes);
     inspect_app->callback([command] {
         command->table.read_arguments();
         inspect(command->settings);

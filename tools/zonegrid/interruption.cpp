@@ -17,17 +17,17 @@ InterruptionGuard::InterruptionGuard() {
     struct sigaction action {};
     action.sa_handler = note;
     action.sa_flags = SA_RESTART;
-    for (std::size_t i = 0; i < kSignals.size(); ++i) {
-        sigaction(kSignals[i], nullptr, &previous_[i]);
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+        sigaction(signals[i], nullptr, &previous_[i]);
         if (previous_[i].sa_handler != SIG_IGN) { // nohup stays in force
-            sigaction(kSignals[i], &action, nullptr);
+            sigaction(signals[i], &action, nullptr);
         }
     }
 }
 
 InterruptionGuard::~InterruptionGuard() {
-    for (std::size_t i = 0; i < kSignals.size(); ++i) {
-        sigaction(kSignals[i], &previous_[i], nullptr);
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+        sigaction(signals[i], &previous_[i], nullptr);
     }
 }
 

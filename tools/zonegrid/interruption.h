@@ -22,9 +22,9 @@ public:
     void check() const;
 
 private:
-    static constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};
+    static constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
 
-    std::array<struct sigaction, kSignals.size()> previous_{};
+    std::array<struct sigaction, signals.size()> previous_{};
 };
 
 } // namespace zonegrid

@@ -12,10 +12,10 @@
 
 namespace {
 
-constexpr int kFailure = 1;
-constexpr int kUsage = 2;
+constexpr int failure = 1;
+constexpr int usage = 2;
 
-constexpr const char* kDescription =
+constexpr const char* description =
     "zonegrid makes three-dimensional obstacle maps from depth images and navigation.";
 
 int complain(const std::string& problem, int exit_code) {
@@ -31,7 +31,7 @@ int complain_about_usage(const CLI::App& app, const CLI::ParseError& error) {
     for (const CLI::App* const subcommand : app.get_subcommands()) {
         command += " " + subcommand->get_name();
     }
-    return complain(fmt::format("{}; see {} --help", problem, command), kUsage);
+    return complain(fmt::format("{}; see {} --help", problem, command), usage);
 }
 
 /// Parses, and runs the subcommand that was asked for.
@@ -59,13 +59,13 @@ int run_and_explain(CLI::App& app, int argc, const char* const* argv) {
     } catch (const zonegrid::StandardOutputClosed&) {
         return 0; // the reader has what it wanted
     } catch (const zonegrid::UsageError& error) {
-        return complain(error.what(), kUsage);
+        return complain(error.what(), usage);
     } catch (const zonegrid::CapacityError& error) {
-        return complain(error.what(), kUsage);
+        return complain(error.what(), usage);
     } catch (const std::bad_alloc&) {
-        return complain("memory is exhausted; use larger cells or a smaller range", kFailure);
+        return complain("memory is exhausted; use larger cells or a smaller range", failure);
     } catch (const std::exception& error) {
-        return complain(error.what(), kFailure);
+        return complain(error.what(), failure);
     }
 }
 
@@ -75,19 +75,19 @@ int main(int argc, char** argv) {
     // Writes fail with an error instead: it is reported and cleaned up after.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
-    CLI::App app(kDescription, "zonegrid");
+    CLI::App app(description, "zonegrid");
     app.set_version_flag("--version", std::string("zonegrid ") + ZONEGRID_VERSION);
     app.require_subcommand(0, 1);
     zonegrid::add_map_command(app);
     zonegrid::add_inspect_command(app);
     zonegrid::add_dump_command(app);
-    app.footer(std::string("zonegrid COMMAND --help explains a command.\n") + zonegrid::kExitCodes);
+    app.footer(std::string("zonegrid COMMAND --help explains a command.\n") + zonegrid::exit_codes);
     try {
         return run_and_explain(app, argc, argv);
     } catch (const zonegrid::Interrupted& interrupted) {
-        complain("interrupted; nothing was written", kFailure);
+        complain("interrupted; nothing was written", failure);
         std::signal(interrupted.signal, SIG_DFL);
         std::raise(interrupted.signal); // whoever started this sees how it ended
-        return kFailure;
+        return failure;
     }
 }

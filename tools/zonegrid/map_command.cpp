@@ -14,11 +14,11 @@
 namespace zonegrid {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* description =
     "Maps a recording: replays its depth images or laser scans with their navigation and writes\n"
     "the map, its objects and pictures of its height profile to a new folder.";
 
-constexpr const char* kFooter =
+constexpr const char* help_footer =
     "DIR holds report.json, profile.png, profile_3d.png, objects.json and cells.zgrid\n"
     "(docs/formats.md). It appears whole or not at all. Images that cannot be read or have no\n"
     "navigation are skipped, counted and listed in the report.\n"
@@ -80,7 +80,7 @@ void map(const MapSettings& settings) {
     MapRun run{*recording, settings, options, frame_span(settings, recording->frames().size())};
     Mapper mapper(options, recording->camera());
     const InterruptionGuard interruption;
-    NewFolder folder(*settings.output, settings.overwrite ? std::span(kMapFolderNames)
+    NewFolder folder(*settings.output, settings.overwrite ? std::span(map_folder_names)
                                                           : std::span<const std::string_view>());
     run.replay = replay_with_progress(*recording, run.span, mapper, interruption, settings.quiet);
     if (run.replay.integrated == 0) {
@@ -93,7 +93,7 @@ void map(const MapSettings& settings) {
     run.memory_most_bytes = memory_most_bytes();
     run.total_s = stopwatch.lap_s();
     const std::string report = report_of(run).dump(2) + "\n";
-    write_report(folder.path() / kReportName, report);
+    write_report(folder.path() / report_name, report);
     interruption.check();
     folder.put_in_place();
     for (const std::string& warning : run.warnings) {
@@ -123,7 +123,7 @@ void run_map(MapCommand& command) {
 
 void add_map_command(CLI::App& app) {
     const auto command = std::make_shared<MapCommand>();
-    CLI::App* const map_app = app.add_subcommand("map", kDescription);
+    CLI::App* const map_app = app.add_subcommand("map", description);
     add_map_settings(command->table, command->settings);
     command->table.declare(*map_app);
     map_app->add_option("--config", command->config_file, "take options from a TOML file")
@@ -133,7 +133,7 @@ void add_map_command(CLI::App& app) {
         ->add_flag("--dump-config", command->dump_config,
                    "print all options as a configuration file, and do nothing else")
         ->group("Configuration");
-    map_app->footer(std::string(kFooter) + kExitCodes);
+    map_app->footer(std::string(help_footer) + exit_codes);
     map_app->callback([command] { run_map(*command); });
 }
 

@@ -46,7 +46,7 @@ Json images_of(const ReplaySummary& replay) {
     json["replayed"] = replay.images;
     json["integrated"] = replay.integrated;
     json["without_change"] = replay.images_without_change;
-    for (std::size_t reason = 0; reason < kSkipReasons; ++reason) {
+    for (std::size_t reason = 0; reason < skip_reasons; ++reason) {
         json["skipped"][name_of(static_cast<SkipReason>(reason))] = replay.skipped[reason];
     }
     json["skipped_first"] = Json::array();

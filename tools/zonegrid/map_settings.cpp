@@ -8,7 +8,7 @@ namespace {
 
 // With samples up to this long after an image at hand, the mapper, which keeps 10 s of them, still
 // has those this long before it.
-constexpr double kLongestGap_s = 5.0;
+constexpr double longest_gap_s = 5.0;
 
 /// "A:B", "A:" or ":B", frames A ... B - 1.
 std::optional<FrameSpan> parse_span(std::string_view text) {
@@ -120,7 +120,7 @@ void add_map_settings(SettingTable& table, MapSettings& settings) {
 Setting max_gap_setting(double& max_gap_s) {
     return bind_setting(
         "max-gap", "S", "greatest time between an image and navigation, seconds", max_gap_s,
-        finite_where([](double value) { return value >= 0.0 && value <= kLongestGap_s; },
+        finite_where([](double value) { return value >= 0.0 && value <= longest_gap_s; },
                      "a time from 0 to 5 seconds"));
 }
 

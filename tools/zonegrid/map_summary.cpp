@@ -2,11 +2,12 @@
 #include "text_lines.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace zonegrid {
 namespace {
 
-constexpr std::size_t kListed = 5;
+constexpr std::size_t most_listed = 5;
 
 /// 1234567 as "1,234,567".
 std::string grouped(std::uint64_t number) {
@@ -19,6 +20,11 @@ std::string grouped(std::uint64_t number) {
         text.push_back(digits[place]);
     }
     return text;
+}
+
+/// In centimetres' steps and never -0.
+double rounded(double length_m) {
+    return std::round(length_m * 100.0) / 100.0 + 0.0;
 }
 
 std::string spaced(std::string name) {
@@ -48,14 +54,14 @@ std::string image_lines(const MapRun& run) {
         text += fmt::format(" (frames {}:{} of {})", run.span.first, run.span.last,
                             run.recording.frames().size());
     }
-    for (std::size_t reason = 0; reason < kSkipReasons; ++reason) {
+    for (std::size_t reason = 0; reason < skip_reasons; ++reason) {
         if (replay.skipped[reason] > 0) {
             text += fmt::format("; {} skipped: {}", replay.skipped[reason],
                                 spaced(name_of(static_cast<SkipReason>(reason))));
         }
     }
     std::string lines = labelled("images", text);
-    for (std::size_t i = 0; i < std::min(kListed, replay.skipped_first.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(most_listed, replay.skipped_first.size()); ++i) {
         const auto& skipped = replay.skipped_first[i];
         const bool named = skipped.problem.starts_with(skipped.where);
         lines += labelled(
@@ -87,19 +93,20 @@ std::string object_lines(const MapRun& run) {
         largest.push_back(&object);
     }
     std::ranges::stable_sort(largest, std::ranges::greater{}, &Object::cell_count);
-    const std::size_t listed = std::min(kListed, largest.size());
+    const std::size_t listed = std::min(most_listed, largest.size());
     std::string text = labelled(
         "objects", grouped(largest.size()) + (largest.size() > listed ? ", the largest:" : ""));
     for (std::size_t i = 0; i < listed; ++i) {
         const Object& object = *largest[i];
         const Eigen::Vector3d centre_m = object.centre_m(cell_m);
-        text += labelled("", fmt::format("{:>9} cells, {:.2f} x {:.2f} x {:.2f} m, centre {:.2f} m "
-                                         "north, {:.2f} m east, {:.2f} m up",
-                                         grouped(object.cell_count),
-                                         (object.box_max.x - object.box_min.x + 1) * cell_m,
-                                         (object.box_max.y - object.box_min.y + 1) * cell_m,
-                                         (object.box_max.z - object.box_min.z + 1) * cell_m,
-                                         centre_m.x(), centre_m.y(), 0.0 - centre_m.z()));
+        text += labelled(
+            "", fmt::format("{:>9} cells, {:.2f} x {:.2f} x {:.2f} m, centre {:.2f} m "
+                            "north, {:.2f} m east, {:.2f} m up",
+                            grouped(object.cell_count),
+                            (object.box_max.x - object.box_min.x + 1) * cell_m,
+                            (object.box_max.y - object.box_min.y + 1) * cell_m,
+                            (object.box_max.z - object.box_min.z + 1) * cell_m,
+                            rounded(centre_m.x()), rounded(centre_m.y()), rounded(-centre_m.z())));
     }
     return text;
 }
@@ -137,8 +144,8 @@ std::string summary_of(const MapRun& run, const std::filesystem::path& folder) {
     text +=
         labelled("memory", fmt::format("{:.0f} MiB at most",
                                        static_cast<double>(run.memory_most_bytes) / bytes_per_mib));
-    text += labelled("pictures", (folder / kProfileName).string());
-    text += labelled("", (folder / kProfile3dName).string());
+    text += labelled("pictures", (folder / profile_name).string());
+    text += labelled("", (folder / profile3d_name).string());
     text += labelled("map in", folder.string());
     return text;
 }

@@ -6,7 +6,7 @@ namespace zonegrid {
 
 std::string explain_no_image(const ReplaySummary& replay) {
     std::string counts;
-    for (std::size_t reason = 0; reason < kSkipReasons; ++reason) {
+    for (std::size_t reason = 0; reason < skip_reasons; ++reason) {
         if (replay.skipped[reason] > 0) {
             counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", replay.skipped[reason],
                                   name_of(static_cast<SkipReason>(reason)));

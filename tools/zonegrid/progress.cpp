@@ -8,8 +8,8 @@
 namespace zonegrid {
 namespace {
 
-constexpr std::chrono::milliseconds kBetweenDrawings{200};
-constexpr const char* kEraseLine = "\r\x1b[K";
+constexpr std::chrono::milliseconds between_drawings{200};
+constexpr const char* erase_line = "\r\x1b[K";
 
 } // namespace
 
@@ -18,7 +18,7 @@ Progress::Progress(std::uint64_t images, bool wanted)
 
 Progress::~Progress() {
     if (shown_) {
-        std::fputs(kEraseLine, stderr);
+        std::fputs(erase_line, stderr);
     }
 }
 
@@ -27,9 +27,9 @@ void Progress::show(std::uint64_t done) {
     if (!shown_ || now < next_) {
         return;
     }
-    next_ = now + kBetweenDrawings;
+    next_ = now + between_drawings;
     const std::chrono::duration<double> spent = now - start_;
-    std::string line = fmt::format("{}{} of {} images", kEraseLine, done, images_);
+    std::string line = fmt::format("{}{} of {} images", erase_line, done, images_);
     if (done > 0 && spent.count() > 0.0) {
         const double rate = static_cast<double>(done) / spent.count();
         const auto left_s = static_cast<std::uint64_t>(static_cast<double>(images_ - done) / rate);

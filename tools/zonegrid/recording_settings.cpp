@@ -12,15 +12,16 @@ struct NamedAxes {
     WorldAxes axes;
 };
 
-constexpr std::array<NamedAxes, 5> kWorldAxes{{{"layout_default", WorldAxes::layout_default},
-                                               {"north_east_down", WorldAxes::north_east_down},
-                                               {"east_north_up", WorldAxes::east_north_up},
-                                               {"z_up", WorldAxes::z_up},
-                                               {"y_down", WorldAxes::y_down}}};
+constexpr std::array<NamedAxes, 5> named_world_axes{
+    {{"layout_default", WorldAxes::layout_default},
+     {"north_east_down", WorldAxes::north_east_down},
+     {"east_north_up", WorldAxes::east_north_up},
+     {"z_up", WorldAxes::z_up},
+     {"y_down", WorldAxes::y_down}}};
 
 std::vector<std::string> axes_names() {
     std::vector<std::string> names;
-    std::ranges::transform(kWorldAxes, std::back_inserter(names), &NamedAxes::name);
+    std::ranges::transform(named_world_axes, std::back_inserter(names), &NamedAxes::name);
     return names;
 }
 
@@ -81,7 +82,7 @@ std::unique_ptr<Recording> open_recording(const RecordingSettings& settings) {
     }
     RecordingOptions options;
     options.layout = settings.layout;
-    options.world_axes = std::ranges::find_if(kWorldAxes, [&](const auto& named) {
+    options.world_axes = std::ranges::find_if(named_world_axes, [&](const auto& named) {
                              return settings.world_axes == named.name;
                          })->axes;
     options.intrinsics = settings.intrinsics;

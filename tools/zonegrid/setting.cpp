@@ -130,6 +130,9 @@ std::string ValueForm<std::array<double, 4>>::to_toml(const std::array<double, 4
 }
 
 std::string shown(const toml::node& node) {
+    if (node.is_table()) {
+        return "a table";
+    }
     std::ostringstream text;
     node.visit([&text](const auto& concrete) { text << concrete; });
     return text.str();

@@ -89,18 +89,18 @@ struct Setting {
 
 template <class Value>
 struct Bound {
-    using type = Value;
+    using Type = Value;
 };
 template <class Value>
 struct Bound<std::optional<Value>> {
-    using type = Value;
+    using Type = Value;
 };
 
 /// A setting that lives in `target`, a value or an optional value, which must outlive it.
 template <class Target>
 [[nodiscard]] Setting bind_setting(std::string name, std::string placeholder, std::string help,
-                                   Target& target, Rule<typename Bound<Target>::type> rule) {
-    using Value = typename Bound<Target>::type;
+                                   Target& target, Rule<typename Bound<Target>::Type> rule) {
+    using Value = typename Bound<Target>::Type;
     using Form = ValueForm<Value>;
     Setting setting;
     setting.name = std::move(name);
