@@ -1,5 +1,7 @@
 #include "cli/command_fixture.h"
 
+#include <fmt/format.h>
+
 #include <string>
 
 namespace zonegrid::testing {
