@@ -5,25 +5,27 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 
 usage() {
     cat <<'END'
-usage: tools/test.sh [--quick] [--no-tidy | --tidy-all] [--no-install]
+usage: tools/test.sh [--quick | --all] [--tidy | --tidy-all] [--no-install]
 Installs the Debian packages that are missing, then builds with warnings as errors and runs the
-tests; builds and runs them again with the address and undefined-behaviour sanitizers and with the
-thread sanitizer; checks the formatting, runs clang-tidy and checks the scripts.
+tests; builds and runs those of the model, the operations and the pipeline again with the address and
+undefined-behaviour sanitizers; checks the formatting and the scripts.
   --quick        build and test only, without sanitizers and checks of the sources
-  --no-tidy      leave out clang-tidy, the slowest check
-  --tidy-all     run clang-tidy over all of host/ and tools/, not only over what decides cells
+  --all          every test with those sanitizers, and the pipeline's with the thread sanitizer
+  --tidy         run clang-tidy too, over what decides cells: some ten minutes
+  --tidy-all     the same over all of host/ and tools/: about an hour
   --no-install   take the machine as it is
 Exit status: 0 if every stage passed, 1 if one failed, 2 for a wrong option.
 END
 }
 
-quick=no tidy=yes install=yes
+quick=no all=no tidy=no install=yes
 tidy_folders='^\./host/(model|reference|pipeline|device|ops)/'
 for option in "$@"; do
     case "$option" in
         --quick) quick=yes ;;
-        --no-tidy) tidy=no ;;
-        --tidy-all) tidy_folders='^\./(host|tools)/' ;;
+        --all) all=yes ;;
+        --tidy) tidy=yes ;;
+        --tidy-all) tidy=yes tidy_folders='^\./(host|tools)/' ;;
         --no-install) install=no ;;
         -h | --help)
             usage
@@ -82,6 +84,12 @@ build_and_test() {
     fi
 }
 
+# What decides cells; the rest of the suite takes twice the time to build with sanitizers.
+test_core_with_sanitizers() {
+    build asan --target model_tests ops_tests pipeline_tests &&
+        run_tests asan -R '^(model|ops|pipeline)\.'
+}
+
 # The pipeline is what an application may drive from threads of its own. The thread sanitizer cannot
 # place its shadow memory under some kernels' address randomisation, so that is turned off if allowed.
 test_threads() {
@@ -111,8 +119,7 @@ check_scripts() {
     sources '*.sh' | xargs shellcheck .ci/run
 }
 
-# By default what decides cells, in some minutes; with --tidy-all the whole of host/ and tools/, whose
-# large headers (CLI11, JSON) take clang-tidy up to a minute a file.
+# Large headers (Eigen, CLI11, JSON) take clang-tidy half a minute and more a file.
 check_tidy() {
     sources '*.cpp' | grep -E "$tidy_folders" |
         xargs -n 1 -P "$jobs" clang-tidy-16 -p build/ci --quiet 2>&1 |
@@ -150,10 +157,15 @@ if [[ $quick == no ]]; then
     if [[ $tidy == yes ]]; then
         stage "clang-tidy" check_tidy
     else
-        omit "clang-tidy" "--no-tidy"
+        omit "clang-tidy" "give --tidy or --tidy-all"
     fi
-    build_and_test asan
-    stage "build and test tsan" test_threads
+    if [[ $all == yes ]]; then
+        build_and_test asan
+        stage "build and test tsan" test_threads
+    else
+        stage "build and test asan" test_core_with_sanitizers
+        omit "build and test tsan" "give --all"
+    fi
 fi
 
 printf '\n== Summary\n'
