@@ -32,8 +32,8 @@ public:
     using Error::Error;
 };
 
-/// A device or its driver cannot do what was asked: `device` is its name as `list_devices` gives it,
-/// `problem` the call that failed and its code by name.
+/// A device or its driver cannot do what was asked: `device` is its name as `list_devices` gives
+/// it, `problem` the call that failed and its code by name.
 class DeviceError : public Error {
 public:
     DeviceError(const std::string& device, const std::string& problem, const std::string& remedy)
