@@ -57,6 +57,7 @@ if [[ ! -f "$build/build.ninja" ]]; then
 fi
 quietly "building $build/zonegrid (a few minutes the first time)" \
     cmake --build "$build" --target zonegrid_command
+mkdir -p "$(dirname "$output")"
 
 "$build/zonegrid" map "$recording" --cell 0.05 -o "$output" --overwrite
 
