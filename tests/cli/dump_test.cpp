@@ -41,6 +41,11 @@ TEST_F(DumpTest, NoticesAFullDisk) {
     EXPECT_THAT(result.errors, one_line_with("standard output"));
 }
 
+TEST_F(DumpTest, KeepsItsExitCodeWhereErrorsCannotBePrinted) {
+    EXPECT_EQ(run("zonegrid dump nowhere 2> /dev/full").exit_code, 1);
+    EXPECT_EQ(run("zonegrid dump 2> /dev/full").exit_code, 2);
+}
+
 TEST_F(DumpTest, RefusesADamagedGridBeforePrinting) {
     const std::size_t size = read_file("map/cells.zgrid").size();
     for (const std::size_t place : {std::size_t{0}, std::size_t{9}, size / 2, size - 1}) {

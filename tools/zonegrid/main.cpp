@@ -19,7 +19,8 @@ constexpr const char* description =
     "zonegrid makes three-dimensional obstacle maps from depth images and navigation.";
 
 int complain(const std::string& problem, int exit_code) {
-    fmt::print(stderr, "zonegrid: {}\n", problem);
+    // fmt::print() would throw where standard error is full, and so hide the exit code.
+    std::fputs(fmt::format("zonegrid: {}\n", problem).c_str(), stderr);
     return exit_code;
 }
 

@@ -67,7 +67,7 @@ void write_report(const std::filesystem::path& file, const std::string& report) 
 }
 
 void warn(const std::string& text) {
-    fmt::print(stderr, "zonegrid: warning: {}\n", text);
+    std::fputs(fmt::format("zonegrid: warning: {}\n", text).c_str(), stderr);
 }
 
 void map(const MapSettings& settings) {
