@@ -2,6 +2,7 @@
 
 #include "field_scene.h"
 #include "model/fusion.h"
+#include "model/local_map.h"
 #include "model/rays.h"
 #include "model/zone_bits.h"
 #include "model/zoned_cells.h"

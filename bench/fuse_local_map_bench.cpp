@@ -3,6 +3,8 @@
 #include "field_grid.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace zonegrid::bench {
 namespace {
@@ -10,8 +12,9 @@ namespace {
 /// After one image into an empty grid every value follows from the statement alone.
 bool values_follow(const FieldGrid& field) {
     std::uint64_t occupied = 0;
-    for (const auto place : field.local_map.held()) {
-        const auto statements = field.local_map.find(place);
+    std::vector<std::uint8_t> statements(field.grid.zone_cells());
+    for (const auto place : field.local_map.zones()) {
+        field.local_map.copy_zone(place, statements);
         const auto values = field.grid.find(place);
         for (std::size_t i = 0; i < values.size(); ++i) {
             const int expected = statements[i] == ZG_STATEMENT_OCCUPIED ? field.options.hit
@@ -36,8 +39,9 @@ void fuse_local_map(benchmark::State& state) {
         benchmark::DoNotOptimize(
             reference::fuse_local_map(field.local_map, field.rule, field.grid));
     }
-    const auto cells = field.local_map.held().size() * field.local_map.zone_cells();
-    state.counters["zones"] = static_cast<double>(field.local_map.held().size());
+    const auto zones = field.local_map.zones().size();
+    const auto cells = zones * field.grid.zone_cells();
+    state.counters["zones"] = static_cast<double>(zones);
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(cells));
 }
 BENCHMARK(fuse_local_map)->Apply(field_sizes);

@@ -41,8 +41,10 @@ std::string problem_with(const ScanRays& rays, const LocalMap& local_map, int zo
         }
     }
     std::set<CellIndex> occupied;
-    for (const auto place : local_map.held()) {
-        const auto statements = local_map.find(place);
+    const auto edge = static_cast<std::size_t>(zone_edge);
+    std::vector<std::uint8_t> statements(edge * edge * edge);
+    for (const auto place : local_map.zones()) {
+        local_map.copy_zone(place, statements);
         for (std::size_t i = 0; i < statements.size(); ++i) {
             if (statements[i] == ZG_STATEMENT_OCCUPIED) {
                 occupied.insert(cell_at(local_map.window().zone_at(place),

@@ -18,6 +18,11 @@ struct SubPoint {
     friend auto operator<=>(const SubPoint&, const SubPoint&) = default;
 };
 
+/// The cell of a point, both in the same frame.
+constexpr CellIndex cell_of(const SubPoint& point) {
+    return {point.x >> ZG_SUB_BITS, point.y >> ZG_SUB_BITS, point.z >> ZG_SUB_BITS};
+}
+
 /// A ray's displacement per unit of depth, fixed point with ZG_DIRECTION_BITS fraction bits.
 struct Direction {
     std::int32_t x = 0;

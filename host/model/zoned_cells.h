@@ -35,7 +35,7 @@ public:
 
     /// Cells of the zone at `place`; all 0 if it held none before.
     std::span<Cell> touch(std::uint32_t place) {
-        if (!table_[place]) {
+        if (!table_[place]) [[unlikely]] {
             hold(place);
         }
         return {table_[place].get(), zone_cells_};
@@ -95,9 +95,6 @@ private:
     std::vector<std::unique_ptr<Cell[]>> spare_;
     std::size_t zone_cells_;
 };
-
-/// What one image says of each cell: ZG_STATEMENT_*.
-using LocalMap = ZonedCells<std::uint8_t>;
 
 /// Fused values.
 using Grid = ZonedCells<std::int8_t>;

@@ -1,6 +1,7 @@
 #include "zonegrid/mapper.h"
 
 #include "model/fusion.h"
+#include "model/local_map.h"
 #include "model/navigation.h"
 #include "model/rays.h"
 #include "model/zoned_cells.h"
@@ -119,9 +120,7 @@ public:
 
     void for_each_cell(const std::function<void(const CellIndex&, int)>& visit) const {
         // Order by x, then y, then z: one layer of zones at a time, one x at a time through it.
-        std::map<std::int32_t,
-                 std::map<std::pair<std::int32_t, std::int32_t>, std::span<const std::int8_t>>>
-            layers;
+        std::map<std::int32_t, Layer> layers;
         for (const auto place : grid_.held()) {
             const ZoneIndex zone = window_.zone_at(place);
             layers[zone.x][{zone.y, zone.z}] = grid_.find(place);
@@ -152,6 +151,7 @@ public:
     const MapperOptions& options() const { return options_; }
 
 private:
+    /// Zones with one x, by y and z.
     using Layer = std::map<std::pair<std::int32_t, std::int32_t>, std::span<const std::int8_t>>;
 
     void check_image(const DepthImage& image) const {
@@ -194,8 +194,7 @@ private:
         if (!window_.move_to(sensor_cell_)) {
             return;
         }
-        local_map_.clear();
-        local_map_.move_to(window_, [](const ZoneIndex&, std::span<const std::uint8_t>) {});
+        local_map_.move_to(window_);
         grid_.move_to(window_, [&](const ZoneIndex& zone, std::span<const std::int8_t> values) {
             ++result.zones_left;
             leave(zone, values);

@@ -1,9 +1,10 @@
 #pragma once
 
+#include "model/local_map.h"
 #include "model/segment_walk.h"
-#include "model/zoned_cells.h"
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -11,111 +12,120 @@
 
 namespace zonegrid::reference {
 
-/// Sets the cells of a segment to one statement while it is walked. A segment stays in a zone for
-/// tens of cells, so the zone is looked up only where the segment enters another.
+/// Sets the cells of segments from one point to one statement, all in one octant: what they share
+/// is here. A segment stays in a brick for tens of cells, so the brick is looked up only where the
+/// segment enters another.
 class SegmentPen {
 public:
     /// A pen at `start` for segments that go up (+1) or down (-1) on x, y and z.
     SegmentPen(const SubPoint& start, const std::array<std::int32_t, 3>& signs,
                std::uint8_t statement, LocalMap& local_map)
-        : local_map_(&local_map), statement_(statement), edge_(local_map.window().zone_edge()) {
-        const std::int32_t cells[3] = {start.x >> ZG_SUB_BITS, start.y >> ZG_SUB_BITS,
-                                       start.z >> ZG_SUB_BITS};
+        : local_map_(&local_map), statement_(statement) {
+        const CellIndex cell = cell_of(start);
+        const std::array within{cell.x & (edge - 1), cell.y & (edge - 1), cell.z & (edge - 1)};
         std::int32_t stride = 1;
-        std::int32_t place_stride = 1;
-        std::int32_t index = 0;
+        std::int32_t brick_stride = 1;
         for (std::size_t i = 0; i < 3; ++i) {
-            const std::int32_t within = cells[i] % edge_;
-            step_[i] = std::ptrdiff_t{signs[i]} * stride;
-            place_step_[i] = signs[i] * place_stride;
-            left_ |= (signs[i] > 0 ? edge_ - 1 - within : within) << (field_bits * i);
-            index += within * stride;
-            place_ += cells[i] / edge_ * place_stride;
-            stride *= edge_;
-            place_stride *= local_map.window().zones_per_axis();
+            const Word to_go = signs[i] > 0 ? edge - 1 - within[i] : within[i];
+            left_ |= to_go << (field_bits * i);
+            axes_[i] = {signs[i] * stride, signs[i] * stride * edge, signs[i] * brick_stride,
+                        Word{edge} << (field_bits * i)};
+            stride *= edge;
+            brick_stride *= local_map.bricks_per_axis();
         }
-        enter_zone(index);
+        brick_ = local_map.brick_of(cell);
+        cell_ = local_map.touch(brick_) + LocalMap::index_in_brick(cell);
     }
 
     /// Draws the whole of a segment that starts where this pen stands and goes its way.
     void draw(const Segment& segment) const {
-        SegmentPen pen = *this;
-        pen.left_ |= segment.crossings() << crossings_shift;
-        *pen.cell_ = statement_;
-        walk_segment(segment, pen);
-    }
-
-    void cross_x() { cross<0>(); }
-    void cross_y() { cross<1>(); }
-    void cross_z() { cross<2>(); }
-
-    /// Marks the cell arrived at, unless that is beyond the segment's end.
-    bool arrive() {
-        if ((left_ & borrowed) != 0) [[unlikely]] {
-            if (!leave_zone()) {
-                return false;
-            }
-        }
         *cell_ = statement_;
-        return true;
+        walk_segment(segment, Stroke(*this, segment.crossings()));
     }
 
 private:
     // What is left, in one word, so that one test a step tells everything: for each axis the cells
-    // to go before the next crossing leaves the zone (5 bits and one that a borrow sets), then the
-    // crossings to go (13 bits, the sign set by a borrow). Separate counters and tests cost as much
-    // as the step itself: they crowd the branch predictor, which must foresee the axes.
-    static constexpr std::size_t field_bits = 6;
-    static constexpr std::size_t crossings_shift = 3 * field_bits;
-    static constexpr std::int32_t borrowed_x = 1 << (field_bits - 1);
-    static constexpr std::int32_t borrowed_y = borrowed_x << field_bits;
-    static constexpr std::int32_t borrowed_z = borrowed_y << field_bits;
-    static constexpr std::int32_t borrowed =
-        std::numeric_limits<std::int32_t>::min() | borrowed_x | borrowed_y | borrowed_z;
+    // to go before the next crossing leaves the brick (6 bits and one that a borrow sets), then the
+    // crossings to go (the sign set by a borrow). Separate counters and tests cost as much as the
+    // step itself: they crowd the branch predictor, which must foresee the axes.
+    using Word = std::int64_t;
+    static constexpr std::int32_t edge = LocalMap::brick_edge;
+    static constexpr unsigned field_bits = LocalMap::brick_bits + 1;
+    static constexpr unsigned crossings_shift = 3 * field_bits;
+    static constexpr Word borrowed_x = edge;
+    static constexpr Word borrowed = std::numeric_limits<Word>::min() | borrowed_x |
+                                     borrowed_x << field_bits | borrowed_x << (2 * field_bits);
 
-    template <std::size_t axis>
-    void cross() {
-        cell_ += step_[axis];
-        left_ -= (1 << crossings_shift) + (1 << (field_bits * axis));
-    }
+    struct Axis {
+        std::ptrdiff_t step = 0;     ///< to the next cell in the brick's memory
+        std::ptrdiff_t back = 0;     ///< what a crossing into the next brick steps too far
+        std::int32_t brick_step = 0; ///< to the next brick's place in the window
+        Word refill = 0;             ///< the edge of a brick, in the axis' field
+    };
 
-    // These are forced inline: a call would take the pen's address, which keeps its members out of
-    // registers.
-    [[gnu::always_inline]] bool leave_zone() {
-        // A borrow runs on into the fields above, so the lowest one is the axis just crossed.
-        if ((left_ & borrowed_x) != 0) {
-            return cross_zone<0>();
+    /// What changes on the way: so little that it stays in registers.
+    class Stroke {
+    public:
+        Stroke(const SegmentPen& pen, std::int32_t crossings)
+            : pen_(&pen),
+              left_(pen.left_ | Word{crossings} << crossings_shift),
+              brick_(pen.brick_),
+              cell_(pen.cell_) {}
+
+        void cross_x() { cross<0>(); }
+        void cross_y() { cross<1>(); }
+        void cross_z() { cross<2>(); }
+
+        /// Marks the cell arrived at, unless that is beyond the segment's end.
+        bool arrive() {
+            if ((left_ & borrowed) != 0) [[unlikely]] {
+                if (!enter_brick()) {
+                    return false;
+                }
+            }
+            *cell_ = pen_->statement_;
+            return true;
         }
-        if ((left_ & borrowed_y) != 0) {
-            return cross_zone<1>();
-        }
-        return (left_ & borrowed_z) != 0 && cross_zone<2>();
-    }
 
-    template <std::size_t axis>
-    [[gnu::always_inline]] bool cross_zone() {
-        left_ += edge_ << (field_bits * axis);
-        if (left_ < 0) {
-            return false;
+    private:
+        template <std::size_t axis>
+        void cross() {
+            cell_ += pen_->axes_[axis].step;
+            left_ -= (Word{1} << crossings_shift) + (Word{1} << (field_bits * axis));
         }
-        place_ += place_step_[axis];
-        enter_zone(cell_ - zone_cells_ - edge_ * step_[axis]);
-        return true;
-    }
 
-    [[gnu::always_inline]] void enter_zone(std::ptrdiff_t index) {
-        zone_cells_ = local_map_->touch(static_cast<std::uint32_t>(place_)).data();
-        cell_ = zone_cells_ + index;
-    }
+        // Forced inline: a call would take the stroke's address, which keeps it out of registers.
+        [[gnu::always_inline]] bool enter_brick() {
+            // A borrow runs on into the fields above, so the lowest one is the axis just crossed,
+            // or the crossings'. No branch chooses the axis: it could not be foreseen.
+            const auto lowest = static_cast<unsigned>(
+                std::countr_zero(static_cast<std::uint64_t>(left_ & borrowed)));
+            if (lowest >= crossings_shift) {
+                return false;
+            }
+            const Axis& axis = pen_->axes_[lowest / field_bits];
+            left_ += axis.refill;
+            if (left_ < 0) {
+                return false;
+            }
+            LocalMap& local_map = *pen_->local_map_;
+            const auto index = cell_ - local_map.touch(brick_) - axis.back;
+            brick_ += static_cast<std::uint32_t>(axis.brick_step);
+            cell_ = local_map.touch(brick_) + index;
+            return true;
+        }
+
+        const SegmentPen* pen_;
+        Word left_;
+        std::uint32_t brick_;
+        std::uint8_t* cell_;
+    };
 
     LocalMap* local_map_;
     std::uint8_t statement_;
-    std::int32_t edge_;
-    std::ptrdiff_t step_[3]{};     ///< to the next cell in the zone's memory
-    std::int32_t place_step_[3]{}; ///< to the next zone's place in the window
-    std::int32_t left_ = 0;
-    std::int32_t place_ = 0; ///< of the zone, in the window's table
-    std::uint8_t* zone_cells_ = nullptr;
+    std::array<Axis, 3> axes_;
+    Word left_ = 0;
+    std::uint32_t brick_ = 0;
     std::uint8_t* cell_ = nullptr;
 };
 
@@ -156,12 +166,7 @@ inline void draw_segment(const SubPoint& start, const SubPoint& end, std::uint8_
 
 /// Sets the cell of a point to one statement.
 inline void draw_point(const SubPoint& point, std::uint8_t statement, LocalMap& local_map) {
-    const std::int32_t edge = local_map.window().zone_edge();
-    const std::int32_t zones = local_map.window().zones_per_axis();
-    const CellIndex cell{point.x >> ZG_SUB_BITS, point.y >> ZG_SUB_BITS, point.z >> ZG_SUB_BITS};
-    const ZoneIndex zone = zone_of(cell, edge);
-    const auto place = static_cast<std::uint32_t>((zone.z * zones + zone.y) * zones + zone.x);
-    local_map.touch(place)[index_in_zone(cell, edge)] = statement;
+    local_map.set(cell_of(point), statement);
 }
 
 } // namespace zonegrid::reference

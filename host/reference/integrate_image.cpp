@@ -2,8 +2,6 @@
 
 #include "reference/draw_segment.h"
 
-#include <algorithm>
-
 namespace zonegrid::reference {
 
 namespace {
@@ -39,6 +37,10 @@ void for_each_sub_ray(const ImageRays& rays, Visit&& visit) {
             }
             const Direction centre = rays.direction(u_px, v_px);
             const auto level = split_level(rays, depth.far >= 0 ? depth.far : depth.near);
+            if (level == 0) {
+                visit(centre, depth);
+                continue;
+            }
             for (std::int32_t j = 0; j < 1 << level; ++j) {
                 const Direction down = sub_ray_offset(rays.v, j, level);
                 for (std::int32_t i = 0; i < 1 << level; ++i) {
@@ -55,10 +57,6 @@ void for_each_sub_ray(const ImageRays& rays, Visit&& visit) {
 } // namespace
 
 void integrate_image(const ImageRays& rays, LocalMap& local_map) {
-    // The pens touch the camera's zone: a blind image must touch none.
-    if (std::ranges::none_of(rays.depths, [](const auto& depth) { return depth.near >= 0; })) {
-        return;
-    }
     const SegmentPens pens(rays.origin, ZG_STATEMENT_FREE, local_map);
     for_each_sub_ray(rays, [&](const Direction& direction, const PixelDepth& depth) {
         pens.draw_to(rays.point_at(direction, depth.near));

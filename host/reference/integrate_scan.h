@@ -1,7 +1,7 @@
 #pragma once
 
+#include "model/local_map.h"
 #include "model/rays.h"
-#include "model/zoned_cells.h"
 
 namespace zonegrid::reference {
 

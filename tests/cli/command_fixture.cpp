@@ -50,33 +50,20 @@ double SmallRecording::wall_and_box(std::size_t image, int u, int v) {
     return (box ? 3.0 : 5.0) - 0.1 * static_cast<double>(image);
 }
 
-CommandTest::CommandTest() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "zonegrid-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) {
-        throw std::runtime_error("no temporary folder can be made");
-    }
-    folder_ = std::filesystem::canonical(pattern);
-}
-
-CommandTest::~CommandTest() {
-    std::error_code error; // a folder left behind is no reason to end the test program
-    std::filesystem::remove_all(folder_, error);
-}
-
 CommandResult CommandTest::run(const std::string& shell_line) const {
     const std::string script =
-        fmt::format("cd '{}' || exit 99\nzonegrid() {{ '{}' \"$@\"; }}\n{}\n", folder_.string(),
-                    ZONEGRID_COMMAND, shell_line);
+        fmt::format("cd '{}' || exit 99\nzonegrid() {{ '{}' \"$@\"; }}\n{}\n",
+                    folder_.path().string(), ZONEGRID_COMMAND, shell_line);
     write_file("run.sh", script);
     const std::string line =
-        fmt::format("bash '{0}/run.sh' >'{0}/run.out' 2>'{0}/run.err'", folder_.string());
+        fmt::format("bash '{0}/run.sh' >'{0}/run.out' 2>'{0}/run.err'", folder_.path().string());
     const int status = std::system(line.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_file("run.out"),
             read_file("run.err")};
 }
 
 void CommandTest::write_recording(const SmallRecording& recording) const {
-    const std::filesystem::path folder = folder_ / recording.folder;
+    const std::filesystem::path folder = folder_.path() / recording.folder;
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "camera-intrinsics.txt")
         << fmt::format("{0} 0 {1}\n0 {0} {2}\n0 0 1\n", focal_px,
@@ -93,11 +80,11 @@ void CommandTest::write_recording(const SmallRecording& recording) const {
 }
 
 void CommandTest::write_file(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
+    std::ofstream(folder_.path() / name, std::ios::binary) << text;
 }
 
 std::string CommandTest::read_file(const std::string& name) const {
-    std::ifstream stream(folder_ / name, std::ios::binary);
+    std::ifstream stream(folder_.path() / name, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
@@ -106,12 +93,12 @@ nlohmann::json CommandTest::read_json(const std::string& name) const {
 }
 
 bool CommandTest::exists(const std::string& name) const {
-    return std::filesystem::exists(folder_ / name);
+    return std::filesystem::exists(folder_.path() / name);
 }
 
 std::vector<std::string> CommandTest::names() const {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
         const std::string name = entry.path().filename().string();
         if (!name.starts_with("run.")) {
             names.push_back(name);
@@ -122,7 +109,7 @@ std::vector<std::string> CommandTest::names() const {
 }
 
 std::filesystem::path CommandTest::path(const std::string& name) const {
-    return folder_ / name;
+    return folder_.path() / name;
 }
 
 } // namespace zonegrid::testing

@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "support/temporary_folder.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -41,9 +43,6 @@ struct SmallRecording {
 /// A folder for one test, in which the real command runs.
 class CommandTest : public ::testing::Test {
 protected:
-    CommandTest();
-    ~CommandTest() override;
-
     /// Runs a line of shell in the folder; `zonegrid` is the command under test.
     [[nodiscard]] CommandResult run(const std::string& shell_line) const;
 
@@ -57,7 +56,7 @@ protected:
     [[nodiscard]] std::filesystem::path path(const std::string& name) const;
 
 private:
-    std::filesystem::path folder_;
+    TemporaryFolder folder_;
 };
 
 /// Matches errors that are exactly one line "zonegrid: ..." with all the given parts.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <png.h>
 
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -27,19 +26,8 @@ void write_image(const std::filesystem::path& file, png_uint_32 format, int widt
 
 } // namespace
 
-RecordingFolder::RecordingFolder(const std::string& name) {
-    std::string pattern = (std::filesystem::temp_directory_path() / "zonegrid-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) {
-        throw std::runtime_error("no temporary folder can be made");
-    }
-    root_ = std::filesystem::canonical(pattern);
-    path_ = root_ / name;
+RecordingFolder::RecordingFolder(const std::string& name) : path_(root_.path() / name) {
     std::filesystem::create_directories(path_);
-}
-
-RecordingFolder::~RecordingFolder() {
-    std::error_code error; // a folder left behind is no reason to end the test program
-    std::filesystem::remove_all(root_, error);
 }
 
 std::filesystem::path RecordingFolder::write(const std::string& name, std::string_view text) const {

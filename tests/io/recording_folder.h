@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "support/temporary_folder.h"
 #include "zonegrid/errors.h"
 
 #include <cstdint>
@@ -17,9 +18,6 @@ class RecordingFolder {
 public:
     /// `name` is the last part of its path, which some layouts look at.
     explicit RecordingFolder(const std::string& name = "recording");
-    RecordingFolder(const RecordingFolder&) = delete;
-    RecordingFolder& operator=(const RecordingFolder&) = delete;
-    ~RecordingFolder();
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
@@ -44,7 +42,7 @@ public:
     void truncate(const std::string& name, std::size_t size) const;
 
 private:
-    std::filesystem::path root_;
+    TemporaryFolder root_;
     std::filesystem::path path_;
 };
 

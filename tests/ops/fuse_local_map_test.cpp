@@ -1,6 +1,7 @@
 #include "reference/fuse_local_map.h"
 
 #include "support/oracle_random.h"
+#include "support/statements.h"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +32,7 @@ public:
 
     reference::FusionResult say(std::uint8_t statement) {
         local_map_.clear();
-        local_map_.touch(place)[index] = statement;
+        say_in_zone(local_map_, place, index, statement);
         return reference::fuse_local_map(local_map_, rule_, grid_);
     }
     [[nodiscard]] int value() const {
@@ -131,7 +132,7 @@ TEST(FuseLocalMap, TouchesOnlyZonesOfTheLocalMap) {
     Grid grid(window);
     const FusionRule rule{MapperOptions{}};
     grid.touch(3)[5] = 4;
-    local_map.touch(7)[9] = ZG_STATEMENT_FREE;
+    say_in_zone(local_map, 7, 9, ZG_STATEMENT_FREE);
     const auto result = reference::fuse_local_map(local_map, rule, grid);
     EXPECT_EQ(grid.held().size(), 2U);
     EXPECT_EQ(grid.find(3)[5], 4);
@@ -146,9 +147,8 @@ TEST(FuseLocalMap, OneCellLostAndOneWonStillIsAChangeOfOccupancy) {
     LocalMap local_map(window);
     Grid grid(window);
     grid.touch(4)[0] = 2;
-    auto statements = local_map.touch(4);
-    statements[0] = ZG_STATEMENT_FREE;
-    statements[1] = ZG_STATEMENT_OCCUPIED;
+    say_in_zone(local_map, 4, 0, ZG_STATEMENT_FREE);
+    say_in_zone(local_map, 4, 1, ZG_STATEMENT_OCCUPIED);
     const auto result = reference::fuse_local_map(local_map, FusionRule{MapperOptions{}}, grid);
     EXPECT_EQ(result.occupancy_changed, std::vector<std::uint32_t>{4});
 }
@@ -205,16 +205,17 @@ TEST(FuseLocalMap, EqualsACellByCellModelOverManyImages) {
         for (int image = 0; image < 30; ++image, ++images) {
             local_map.clear();
             std::uint64_t changed = 0;
+            std::set<std::uint32_t> places;
             std::set<std::uint32_t> occupancy_changed;
             for (int zone = 0; zone < 4; ++zone) {
                 const auto place = static_cast<std::uint32_t>(random.pick(0, 26));
-                if (std::ranges::count(local_map.held(), place) != 0) {
+                if (!places.insert(place).second) {
                     continue;
                 }
-                auto statements = local_map.touch(place);
-                for (std::uint32_t i = 0; i < statements.size(); ++i) {
-                    statements[i] = static_cast<std::uint8_t>(random.pick(0, 2));
-                    changed += plain.say(place, i, statements[i], occupancy_changed) ? 1U : 0U;
+                for (std::uint32_t i = 0; i < grid.zone_cells(); ++i) {
+                    const auto statement = static_cast<std::uint8_t>(random.pick(0, 2));
+                    say_in_zone(local_map, place, i, statement);
+                    changed += plain.say(place, i, statement, occupancy_changed) ? 1U : 0U;
                 }
             }
             const auto result = reference::fuse_local_map(local_map, FusionRule(options), grid);

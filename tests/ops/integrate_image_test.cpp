@@ -3,6 +3,7 @@
 #include "model/window.h"
 #include "support/oracle_compare.h"
 #include "support/oracle_scenes.h"
+#include "support/statements.h"
 
 #include <gtest/gtest.h>
 
@@ -20,20 +21,6 @@ constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 constexpr float sky = std::numeric_limits<float>::infinity();
 constexpr int free_cell = ZG_STATEMENT_FREE;
 constexpr int occupied_cell = ZG_STATEMENT_OCCUPIED;
-
-CellValues statements_of(const LocalMap& map) {
-    CellValues values;
-    for (const auto place : map.held()) {
-        const auto cells = map.find(place);
-        for (std::uint32_t i = 0; i < cells.size(); ++i) {
-            if (cells[i] != ZG_STATEMENT_NOTHING) {
-                values[cell_at(map.window().zone_at(place), i, map.window().zone_edge())] =
-                    cells[i];
-            }
-        }
-    }
-    return values;
-}
 
 /// World cells and their statements, by the library.
 CellValues integrated(const Camera& camera, const MapperOptions& options,

@@ -4,6 +4,7 @@
 #include "model/window.h"
 #include "support/oracle_compare.h"
 #include "support/oracle_scenes.h"
+#include "support/statements.h"
 #include "zonegrid/errors.h"
 
 #include <gtest/gtest.h>
@@ -33,16 +34,7 @@ Integrated by_library(const Scan& scan, const MapperOptions& options,
     const ScanRays rays = quantize_scan(scan, world_from_sensor, options, window);
     LocalMap map(window);
     reference::integrate_scan(rays, map);
-    Integrated result{{}, rays.rays.size(), rays.missing, rays.dropped};
-    for (const auto place : map.held()) {
-        const auto cells = map.find(place);
-        for (std::uint32_t i = 0; i < cells.size(); ++i) {
-            if (cells[i] != ZG_STATEMENT_NOTHING) {
-                result.cells[cell_at(window.zone_at(place), i, window.zone_edge())] = cells[i];
-            }
-        }
-    }
-    return result;
+    return {statements_of(map), rays.rays.size(), rays.missing, rays.dropped};
 }
 
 Window placed_window(const MapperOptions& options, const Eigen::Isometry3d& world_from_sensor) {
