@@ -88,7 +88,8 @@ function(zonegrid_embed_kernels target)
   set(root ${PROJECT_SOURCE_DIR})
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/kernels)
   file(MAKE_DIRECTORY ${folder})
-  file(GLOB includes CONFIGURE_DEPENDS ${root}/kernels/params/*.h)
+  file(GLOB includes CONFIGURE_DEPENDS ${root}/kernels/params/*.h ${root}/kernels/parts/*.cl
+       ${root}/shaders/parts/*.glsl)
   list(APPEND includes ${root}/kernels/common.cl ${root}/shaders/common.glsl
        ${root}/host/model/constants.h)
   file(GLOB kernels CONFIGURE_DEPENDS ${root}/kernels/*.cl)

@@ -22,6 +22,12 @@ uint count_bits(uint word) {
     return popcount(word);
 }
 
+// a * b / 2^shift, rounded towards minus infinity, of the whole product; shift 1 .. 31.
+int shifted_product(int a, int b, uint shift) {
+    const uint low = as_uint(a) * as_uint(b);
+    return as_int(as_uint(mul_hi(a, b)) << (32 - shift) | low >> shift);
+}
+
 // A grid's word holds four cells, the first in the lowest byte. Value of the cell at place 0 .. 3.
 int unpack_cell(uint word, uint place) {
     return as_int(word << (24 - 8 * place)) >> 24;

@@ -8,10 +8,11 @@ __kernel __attribute__((reqd_work_group_size(ZG_GROUP_ITEMS, 1, 1))) void fuse_l
     __global uint* grid_cells,         // a zone: 4 cells a word
     __global uint* occupied_planes,    // a zone: value >= threshold
     __global const uint* zone_pairs,   // slot in local_planes, in grid_*
-    __global uint* zone_changes,       // a pair: values, occupancies
+    __global uint* zone_changes,       // a pair: values, occupancies, cells stated
     const struct FuseLocalMapParams params) {
     __local uint values_changed;
     __local uint occupancies_changed;
+    __local uint cells_stated;
 
     // 1. A work-group takes one pair of zones.
     const uint pair = group_index();
@@ -24,18 +25,21 @@ __kernel __attribute__((reqd_work_group_size(ZG_GROUP_ITEMS, 1, 1))) void fuse_l
     if (item_in_group() == 0) {
         values_changed = 0;
         occupancies_changed = 0;
+        cells_stated = 0;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
 
     // 2. An item takes 32 cells at a time. Where nothing is said, value and occupancy stay.
     uint my_values = 0;
     uint my_occupancies = 0;
+    uint my_stated = 0;
     for (uint word = item_in_group(); word < params.plane_words; word += group_items()) {
         const uint occupied = local_planes[occupied_plane + word];
         const uint stated = local_planes[free_plane + word] | occupied;
         if (stated == 0) {
             continue;
         }
+        my_stated += count_bits(stated);
 
         // 3. New values, four cells a word. Occupied beats free.
         uint occupied_after = 0;
@@ -66,9 +70,11 @@ __kernel __attribute__((reqd_work_group_size(ZG_GROUP_ITEMS, 1, 1))) void fuse_l
     // 5. Sums over the zone.
     atomic_add(&values_changed, my_values);
     atomic_add(&occupancies_changed, my_occupancies);
+    atomic_add(&cells_stated, my_stated);
     barrier(CLK_LOCAL_MEM_FENCE);
     if (item_in_group() == 0) {
-        zone_changes[2 * pair] = values_changed;
-        zone_changes[2 * pair + 1] = occupancies_changed;
+        zone_changes[3 * pair] = values_changed;
+        zone_changes[3 * pair + 1] = occupancies_changed;
+        zone_changes[3 * pair + 2] = cells_stated;
     }
 }

@@ -25,6 +25,14 @@ uint count_bits(uint word) {
     return uint(bitCount(word));
 }
 
+// a * b / 2^shift, rounded towards minus infinity, of the whole product; shift 1 .. 31.
+int shifted_product(int a, int b, uint shift) {
+    int high;
+    int low;
+    imulExtended(a, b, high, low);
+    return int(uint(high) << (32 - shift) | uint(low) >> shift);
+}
+
 // A grid's word holds four cells, the first in the lowest byte. Value of the cell at place 0 .. 3.
 int unpack_cell(uint word, uint place) {
     return int(word << (24 - 8 * place)) >> 24;

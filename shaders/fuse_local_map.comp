@@ -18,7 +18,7 @@ layout(std430, binding = 3) readonly buffer ZonePairs {
     uint zone_pairs[]; // slot in local_planes, in grid_*
 };
 layout(std430, binding = 4) writeonly buffer ZoneChanges {
-    uint zone_changes[]; // a pair: values, occupancies
+    uint zone_changes[]; // a pair: values, occupancies, cells stated
 };
 layout(push_constant) uniform Arguments {
     FuseLocalMapParams params;
@@ -26,6 +26,7 @@ layout(push_constant) uniform Arguments {
 
 shared uint values_changed;
 shared uint occupancies_changed;
+shared uint cells_stated;
 
 void main() {
     // 1. A work-group takes one pair of zones.
@@ -39,18 +40,21 @@ void main() {
     if (item_in_group() == 0) {
         values_changed = 0;
         occupancies_changed = 0;
+        cells_stated = 0;
     }
     barrier();
 
     // 2. An item takes 32 cells at a time. Where nothing is said, value and occupancy stay.
     uint my_values = 0;
     uint my_occupancies = 0;
+    uint my_stated = 0;
     for (uint word = item_in_group(); word < params.plane_words; word += group_items()) {
         const uint occupied = local_planes[occupied_plane + word];
         const uint stated = local_planes[free_plane + word] | occupied;
         if (stated == 0) {
             continue;
         }
+        my_stated += count_bits(stated);
 
         // 3. New values, four cells a word. Occupied beats free.
         uint occupied_after = 0;
@@ -81,9 +85,11 @@ void main() {
     // 5. Sums over the zone.
     atomicAdd(values_changed, my_values);
     atomicAdd(occupancies_changed, my_occupancies);
+    atomicAdd(cells_stated, my_stated);
     barrier();
     if (item_in_group() == 0) {
-        zone_changes[2 * pair] = values_changed;
-        zone_changes[2 * pair + 1] = occupancies_changed;
+        zone_changes[3 * pair] = values_changed;
+        zone_changes[3 * pair + 1] = occupancies_changed;
+        zone_changes[3 * pair + 2] = cells_stated;
     }
 }

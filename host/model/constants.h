@@ -14,4 +14,7 @@
 #define ZG_STATEMENT_FREE 1
 #define ZG_STATEMENT_OCCUPIED 2
 
+#define ZG_FREE_PLANE 0 /* planes of a device's local map, in this order */
+#define ZG_OCCUPIED_PLANE 1
+
 #endif

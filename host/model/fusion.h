@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <vector>
 
 namespace zonegrid {
 
@@ -22,6 +23,13 @@ struct FusionRule {
 
     /// Value of a remembered obstacle's cell when its zone returns to the window.
     [[nodiscard]] std::int32_t drawn() const { return (threshold + limit + 1) / 2; }
+};
+
+/// What adding a local map did to the grid.
+struct FusionResult {
+    std::uint64_t cells_changed = 0;
+    /// Places of zones in which a cell became occupied or ceased to be, ascending.
+    std::vector<std::uint32_t> occupancy_changed;
 };
 
 } // namespace zonegrid

@@ -19,6 +19,18 @@ void require(bool allowed, const char* name, const Value& value, const std::stri
 
 } // namespace
 
+bool is_backend_name(std::string_view name) {
+    const auto is_of = [name](std::string_view backend) {
+        if (!name.starts_with(backend)) {
+            return false;
+        }
+        const std::string_view rest = name.substr(backend.size());
+        return rest.empty() || (rest.size() > 1 && rest.front() == ':' &&
+                                rest.find_first_not_of("0123456789", 1) == rest.npos);
+    };
+    return name == "reference" || is_of("opencl") || is_of("vulkan");
+}
+
 void check_options(const MapperOptions& options) {
     const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
     require(positive(options.cell_m), "cell", options.cell_m, "a length above 0 in metres");
@@ -35,8 +47,8 @@ void check_options(const MapperOptions& options) {
             options.threshold, in_limit);
     require(std::isfinite(options.max_gap_s) && options.max_gap_s >= 0.0, "max-gap",
             options.max_gap_s, "0 or more seconds");
-    require(options.backend == "reference", "backend", options.backend,
-            "\"reference\", the only one in this build");
+    require(is_backend_name(options.backend), "backend", options.backend,
+            "reference, opencl or vulkan, or one of their devices, such as opencl:0");
 }
 
 } // namespace zonegrid

@@ -43,6 +43,7 @@ public:
     }
 
     [[nodiscard]] std::span<const std::uint32_t> words() const { return words_; }
+    [[nodiscard]] std::span<std::uint32_t> words() { return words_; }
 
     friend bool operator==(const ZoneBits&, const ZoneBits&) = default;
 

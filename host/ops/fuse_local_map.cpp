@@ -16,8 +16,8 @@ namespace {
 using params::FuseLocalMapParams;
 static_assert(sizeof(FuseLocalMapParams) <= device::max_params_bytes);
 
-// The kernel reads and writes these as two words each.
-static_assert(sizeof(ZonePair) == 8 && sizeof(ZoneChange) == 8);
+// The kernel reads and writes these as two and three words.
+static_assert(sizeof(ZonePair) == 8 && sizeof(ZoneChange) == 12);
 
 device::KernelSpec kernel_spec(std::uint32_t group_items) {
     return {"fuse_local_map", "fuse_local_map", 5, sizeof(FuseLocalMapParams), group_items};
@@ -96,11 +96,10 @@ void FuseLocalMap::check(const FusionBuffers& buffers, std::span<const ZonePair>
 }
 
 void FuseLocalMap::reserve(std::size_t pairs) {
-    const std::uint64_t bytes = pairs * sizeof(ZonePair);
-    if (!pairs_ || pairs_->bytes() < bytes) {
+    if (!pairs_ || pairs_->bytes() < pairs * sizeof(ZonePair)) {
         // Twice what is needed, so that a growing map does not come here every image.
-        pairs_.emplace(device_.make_buffer(2 * bytes));
-        changes_.emplace(device_.make_buffer(2 * bytes));
+        pairs_.emplace(device_.make_buffer(2 * pairs * sizeof(ZonePair)));
+        changes_.emplace(device_.make_buffer(2 * pairs * sizeof(ZoneChange)));
     }
 }
 

@@ -21,6 +21,7 @@ struct ZonePair {
 struct ZoneChange {
     std::uint32_t values_changed = 0;
     std::uint32_t occupancies_changed = 0; ///< cells that became occupied or ceased to be
+    std::uint32_t cells_stated = 0;        ///< cells of which the local map says anything
 };
 
 /// Where the zones lie; each in the layout of `ZoneLayout`.

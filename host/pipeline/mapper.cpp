@@ -1,17 +1,12 @@
 #include "zonegrid/mapper.h"
 
 #include "model/fusion.h"
-#include "model/local_map.h"
 #include "model/navigation.h"
 #include "model/rays.h"
-#include "model/zoned_cells.h"
 #include "pipeline/feature_map.h"
+#include "pipeline/grid_engine.h"
 #include "pipeline/object_tracker.h"
 #include "pipeline/stopwatch.h"
-#include "reference/draw_objects.h"
-#include "reference/fuse_local_map.h"
-#include "reference/integrate_image.h"
-#include "reference/integrate_scan.h"
 #include "reference/profile_heights.h"
 #include "zonegrid/errors.h"
 
@@ -30,8 +25,7 @@ public:
           camera_(camera),
           rule_(options),
           window_(make_window(options, camera)),
-          grid_(window_),
-          local_map_(window_),
+          grid_(make_grid_engine(options, window_)),
           features_(options.zone),
           tracker_(options.zone) {
         if (camera_) {
@@ -56,8 +50,7 @@ public:
             std::ranges::count_if(rays_.depths, [](const auto& depth) { return depth.near < 0; }));
         result.rays = rays_.depths.size() - result.missing;
         result.prepare_s += stopwatch.lap_s();
-        local_map_.clear();
-        reference::integrate_image(rays_, local_map_);
+        grid_->integrate_image(rays_);
         result.integrate_s = stopwatch.lap_s();
         fuse(result);
         result.fuse_s = stopwatch.lap_s();
@@ -79,8 +72,7 @@ public:
         result.missing = rays.missing;
         result.dropped = rays.dropped;
         result.prepare_s += stopwatch.lap_s();
-        local_map_.clear();
-        reference::integrate_scan(rays, local_map_);
+        grid_->integrate_scan(rays);
         result.integrate_s = stopwatch.lap_s();
         fuse(result);
         result.fuse_s = stopwatch.lap_s();
@@ -90,7 +82,7 @@ public:
     const std::vector<Object>& objects() {
         for (const auto& zone : changed_) {
             if (window_.holds(zone)) {
-                tracker_.set_zone(zone, occupied_in_window(zone));
+                tracker_.set_zone(zone, grid_->occupied(window_.place_of(zone)));
             }
         }
         changed_.clear();
@@ -99,9 +91,8 @@ public:
 
     HeightProfile height_profile(std::optional<double> cut_height_m) const {
         reference::HeightProfiler profiler(options_.zone, least_z(cut_height_m));
-        for (const auto place : grid_.held()) {
-            profiler.add_zone(window_.zone_at(place),
-                              occupied_bits(grid_.find(place), rule_.threshold, options_.zone));
+        for (const auto place : grid_->held()) {
+            profiler.add_zone(window_.zone_at(place), grid_->occupied(place));
         }
         for (const auto& [zone, octree] : features_.zones()) {
             profiler.add_zone(zone, remembered_bits(zone));
@@ -114,18 +105,24 @@ public:
         if (!window_.holds(zone)) {
             return 0;
         }
-        const auto values = grid_.find(window_.place_of(zone));
-        return values.empty() ? 0 : values[index_in_zone(cell, options_.zone)];
+        const auto place = window_.place_of(zone);
+        return grid_->holds(place) ? grid_->values(place)[index_in_zone(cell, options_.zone)] : 0;
     }
 
     void for_each_cell(const std::function<void(const CellIndex&, int)>& visit) const {
         // Order by x, then y, then z: one layer of zones at a time, one x at a time through it.
-        std::map<std::int32_t, Layer> layers;
-        for (const auto place : grid_.held()) {
+        std::map<std::int32_t, std::map<std::pair<std::int32_t, std::int32_t>, std::uint32_t>>
+            layers;
+        for (const auto place : grid_->held()) {
             const ZoneIndex zone = window_.zone_at(place);
-            layers[zone.x][{zone.y, zone.z}] = grid_.find(place);
+            layers[zone.x][{zone.y, zone.z}] = place;
         }
-        for (const auto& [zone_x, layer] : layers) {
+        for (const auto& [zone_x, places] : layers) {
+            Layer layer;
+            for (const auto& [zone, place] : places) {
+                const auto values = grid_->values(place);
+                layer.emplace(zone, std::vector(values.begin(), values.end()));
+            }
             for (std::int32_t x = 0; x < options_.zone; ++x) {
                 visit_plane(zone_x, x, layer, visit);
             }
@@ -136,11 +133,11 @@ public:
         MapStatistics statistics;
         statistics.window_first_cell = window_.first_cell();
         statistics.window_cells = window_.edge_cells();
-        statistics.zones_held = grid_.held().size();
+        statistics.zones_held = grid_->held().size();
         statistics.zones_held_most = zones_held_most_;
         statistics.zones_remembered = features_.zones().size();
-        for (const auto place : grid_.held()) {
-            for (const int value : grid_.find(place)) {
+        for (const auto place : grid_->held()) {
+            for (const int value : grid_->values(place)) {
                 statistics.cells_occupied += value >= rule_.threshold ? 1U : 0U;
                 statistics.cells_free += value < 0 ? 1U : 0U;
             }
@@ -152,7 +149,7 @@ public:
 
 private:
     /// Zones with one x, by y and z.
-    using Layer = std::map<std::pair<std::int32_t, std::int32_t>, std::span<const std::int8_t>>;
+    using Layer = std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::int8_t>>;
 
     void check_image(const DepthImage& image) const {
         if (!camera_) {
@@ -194,22 +191,18 @@ private:
         if (!window_.move_to(sensor_cell_)) {
             return;
         }
-        local_map_.move_to(window_);
-        grid_.move_to(window_, [&](const ZoneIndex& zone, std::span<const std::int8_t> values) {
+        grid_->move_to(window_, [&](const ZoneIndex& zone, const ZoneBits& occupied) {
             ++result.zones_left;
-            leave(zone, values);
+            leave(zone, occupied);
         });
         for (const auto& zone : features_.zones_in(window_)) {
-            const auto cells = features_.take(zone);
-            reference::draw_objects(cells, rule_, options_.zone,
-                                    grid_.touch(window_.place_of(zone)));
+            grid_->draw_objects(zone, features_.take(zone));
             ++result.zones_entered;
         }
-        zones_held_most_ = std::max<std::uint64_t>(zones_held_most_, grid_.held().size());
+        zones_held_most_ = std::max<std::uint64_t>(zones_held_most_, grid_->held().size());
     }
 
-    void leave(const ZoneIndex& zone, std::span<const std::int8_t> values) {
-        const ZoneBits occupied = occupied_bits(values, rule_.threshold, options_.zone);
+    void leave(const ZoneIndex& zone, const ZoneBits& occupied) {
         std::vector<CellIndex> cells;
         occupied.for_each(
             [&](std::uint32_t index) { cells.push_back(cell_at(zone, index, options_.zone)); });
@@ -220,16 +213,12 @@ private:
     }
 
     void fuse(ImageResult& result) {
-        const auto fused = reference::fuse_local_map(local_map_, rule_, grid_);
+        const auto fused = grid_->fuse_local_map();
         result.cells_changed = fused.cells_changed;
         for (const auto place : fused.occupancy_changed) {
             changed_.insert(window_.zone_at(place));
         }
-        zones_held_most_ = std::max<std::uint64_t>(zones_held_most_, grid_.held().size());
-    }
-
-    ZoneBits occupied_in_window(const ZoneIndex& zone) const {
-        return occupied_bits(grid_.find(window_.place_of(zone)), rule_.threshold, options_.zone);
+        zones_held_most_ = std::max<std::uint64_t>(zones_held_most_, grid_->held().size());
     }
 
     ZoneBits remembered_bits(const ZoneIndex& zone) const {
@@ -282,8 +271,7 @@ private:
     std::optional<Camera> camera_;
     FusionRule rule_;
     Window window_;
-    Grid grid_;
-    LocalMap local_map_;
+    std::unique_ptr<GridEngine> grid_;
     FeatureMap features_;
     ObjectTracker tracker_;
     NavigationBuffer navigation_;

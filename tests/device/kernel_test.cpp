@@ -49,7 +49,7 @@ public:
           grid_(filled(zones * grid_words, 0)),
           occupied_(filled(zones * plane_words, 0)),
           pairs_(filled(2 * zones, 0)),
-          changes_(filled(2 * zones, 0)) {
+          changes_(filled(3 * zones, 0)) {
         std::vector<std::uint32_t> pairs(2 * std::size_t{zones});
         for (std::uint32_t i = 0; i < zones; ++i) {
             pairs[2 * i] = zones - 1 - i;

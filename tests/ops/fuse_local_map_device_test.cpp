@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <numeric>
 #include <string>
@@ -128,13 +129,26 @@ private:
         places_.resize(zones_per_image);
         const auto local_slots = shuffled(random_, zones_per_image);
         std::vector<ZonePair> pairs;
+        stated_.clear();
         for (std::size_t i = 0; i < zones_per_image; ++i) {
             const Words planes = make_zone(local_map, places_[i], coverage);
             device_.upload(local_planes_, local_slots[i] * layout_.local_bytes(),
                            std::as_bytes(std::span(planes)));
+            const auto words = std::span(planes).first(layout_.plane_words());
+            const auto occupied = std::span(planes).last(layout_.plane_words());
+            stated_.push_back(count_either(words, occupied));
             pairs.push_back({local_slots[i], slots_[places_[i]]});
         }
         return pairs;
+    }
+
+    static std::uint32_t count_either(std::span<const std::uint32_t> one,
+                                      std::span<const std::uint32_t> other) {
+        std::uint32_t count = 0;
+        for (std::size_t i = 0; i < one.size(); ++i) {
+            count += static_cast<std::uint32_t>(std::popcount(one[i] | other[i]));
+        }
+        return count;
     }
 
     Words make_zone(LocalMap& local_map, std::uint32_t place, Coverage& coverage) {
@@ -176,7 +190,7 @@ private:
     }
 
     void compare_changes(const std::vector<std::vector<std::int8_t>>& before,
-                         const reference::FusionResult& result) {
+                         const FusionResult& result) {
         const auto changes = fuse_.changes();
         ASSERT_EQ(changes.size(), places_.size());
         std::uint64_t values_changed = 0;
@@ -189,6 +203,7 @@ private:
             }
             EXPECT_EQ(changes[i].occupancies_changed, count_flips(before[i], grid_.find(place)))
                 << "zone at place " << place;
+            EXPECT_EQ(changes[i].cells_stated, stated_[i]) << "zone at place " << place;
         }
         std::ranges::sort(occupancy_changed);
         EXPECT_EQ(values_changed, result.cells_changed);
@@ -240,6 +255,7 @@ private:
     Grid grid_;
     Words slots_;  ///< by place
     Words places_; ///< of the image's zones
+    Words stated_; ///< cells with a statement in each of them
     Buffer local_planes_;
     Buffer grid_cells_;
     Buffer occupied_planes_;

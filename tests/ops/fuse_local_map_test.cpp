@@ -30,7 +30,7 @@ public:
     explicit OneCell(const MapperOptions& options)
         : rule_(options), window_(small_window()), local_map_(window_), grid_(window_) {}
 
-    reference::FusionResult say(std::uint8_t statement) {
+    FusionResult say(std::uint8_t statement) {
         local_map_.clear();
         say_in_zone(local_map_, place, index, statement);
         return reference::fuse_local_map(local_map_, rule_, grid_);

@@ -56,8 +56,11 @@ void add_grid_settings(SettingTable& table, MapSettings& settings) {
         "span-sigmas", "N", "spread of an obstacle in standard deviations, span model only",
         mapper.span_sigmas,
         finite_where([](double value) { return value >= 0.0; }, "a number, 0 or more")));
-    table.add(bind_setting("backend", "NAME", "how to compute: reference", mapper.backend,
-                           one_of({"reference"})));
+    table.add(bind_setting("backend", "NAME",
+                           "how to compute: reference, opencl, vulkan, or one device: opencl:0",
+                           mapper.backend,
+                           {[](const std::string& name) { return is_backend_name(name); },
+                            "reference, opencl, vulkan, or one device, such as opencl:0"}));
 }
 
 void add_fusion_settings(SettingTable& table, MapSettings& settings) {

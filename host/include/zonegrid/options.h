@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace zonegrid {
 
@@ -22,8 +23,13 @@ struct MapperOptions {
     int limit = 8;            ///< cells saturate at -limit and +limit, 1 .. 127
     int threshold = 2;        ///< a cell is occupied from this value on, 1 .. limit
     double max_gap_s = 0.05;  ///< greatest distance in time between image and navigation, >= 0
-    std::string backend = "reference"; ///< how to compute: "reference"
+    /// How to compute: "reference" (scalar, on the processor), "opencl" or "vulkan" (the first
+    /// device of it that can be used), or one device, such as "opencl:0".
+    std::string backend = "reference";
 };
+
+/// Whether a name can be that of a backend or of one of its devices.
+[[nodiscard]] bool is_backend_name(std::string_view name);
 
 /// Throws UsageError naming the option, its value and what is allowed.
 void check_options(const MapperOptions& options);

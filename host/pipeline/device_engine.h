@@ -1,0 +1,57 @@
+#pragma once
+
+#include "ops/device_grid.h"
+#include "ops/device_local_map.h"
+#include "ops/draw_objects.h"
+#include "ops/fuse_local_map.h"
+#include "ops/integrate_image.h"
+#include "ops/integrate_scan.h"
+#include "pipeline/grid_engine.h"
+
+#include <map>
+#include <string>
+
+namespace zonegrid {
+
+/// The kernels on one OpenCL or Vulkan device. The grid stays in its memory.
+class DeviceEngine : public GridEngine {
+public:
+    /// Throws DeviceError if the device that `options.backend` names is missing or refused.
+    DeviceEngine(const MapperOptions& options, const Window& window);
+
+    void move_to(const Window& window,
+                 const std::function<void(const ZoneIndex&, const ZoneBits&)>& leave) override;
+    void draw_objects(const ZoneIndex& zone, std::span<const CellIndex> cells) override;
+    void integrate_image(const ImageRays& rays) override;
+    void integrate_scan(const ScanRays& scan) override;
+    FusionResult fuse_local_map() override;
+    [[nodiscard]] std::span<const std::uint32_t> held() const override { return held_; }
+    [[nodiscard]] bool holds(std::uint32_t place) const override { return slots_.contains(place); }
+    [[nodiscard]] ZoneBits occupied(std::uint32_t place) override;
+    [[nodiscard]] std::span<const std::int8_t> values(std::uint32_t place) override;
+
+private:
+    using Slot = ops::DeviceGrid::Slot;
+
+    [[nodiscard]] ZoneBits occupied_in(const Slot& slot);
+    void reserve(std::vector<std::uint32_t> places);
+    /// Adds the reserved zones with these indices, whose slots lie in one chunk, to the grid.
+    void fuse_chunk(std::uint32_t chunk, std::span<const std::size_t> reserved,
+                    FusionResult& result);
+    void note_held();
+
+    Window window_;
+    std::unique_ptr<device::Device> device_;
+    ops::DeviceGrid grid_;
+    ops::DeviceLocalMap local_map_;
+    ops::IntegrateImage integrate_image_;
+    ops::IntegrateScan integrate_scan_;
+    ops::FuseLocalMap fuse_local_map_;
+    ops::DrawObjects draw_objects_;
+    std::map<std::uint32_t, Slot> slots_; ///< of the zones that hold cells, by place
+    std::vector<std::uint32_t> held_;     ///< their places
+    std::vector<std::uint32_t> reserved_; ///< places of the local map's zones
+    std::vector<std::int8_t> values_;     ///< of the zone asked for last
+};
+
+} // namespace zonegrid

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "model/fusion.h"
+#include "model/rays.h"
+#include "model/window.h"
+#include "model/zone_bits.h"
+#include "zonegrid/options.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace zonegrid {
+
+/// The zoned grid and what is done to it, on one backend. Zones are named by their places in the
+/// window that the engine stands on.
+class GridEngine {
+public:
+    GridEngine() = default;
+    GridEngine(const GridEngine&) = delete;
+    GridEngine& operator=(const GridEngine&) = delete;
+    virtual ~GridEngine() = default;
+
+    /// Follows the window. Zones that both windows hold keep their cells; `leave` is called for
+    /// each of the others, which are dropped.
+    virtual void move_to(
+        const Window& window,
+        const std::function<void(const ZoneIndex&, const ZoneBits& occupied)>& leave) = 0;
+
+    /// Draws remembered cells into a zone in the window that holds none.
+    virtual void draw_objects(const ZoneIndex& zone, std::span<const CellIndex> cells) = 0;
+
+    /// Draws an image or a scan into an empty local map, then adds that to the grid.
+    virtual void integrate_image(const ImageRays& rays) = 0;
+    virtual void integrate_scan(const ScanRays& scan) = 0;
+    virtual FusionResult fuse_local_map() = 0;
+
+    /// Places of the zones that hold cells, in no particular order.
+    [[nodiscard]] virtual std::span<const std::uint32_t> held() const = 0;
+    [[nodiscard]] virtual bool holds(std::uint32_t place) const = 0;
+
+    /// The occupied cells of a zone that holds cells.
+    [[nodiscard]] virtual ZoneBits occupied(std::uint32_t place) = 0;
+
+    /// The cells of a zone that holds some, order [z][y][x]; valid until the next call.
+    [[nodiscard]] virtual std::span<const std::int8_t> values(std::uint32_t place) = 0;
+};
+
+/// The engine that `options.backend` names. Throws DeviceError if its device is missing or refused.
+[[nodiscard]] std::unique_ptr<GridEngine> make_grid_engine(const MapperOptions& options,
+                                                           const Window& window);
+
+} // namespace zonegrid

@@ -1,0 +1,44 @@
+#include "pipeline/reference_engine.h"
+
+#include "reference/draw_objects.h"
+#include "reference/fuse_local_map.h"
+#include "reference/integrate_image.h"
+#include "reference/integrate_scan.h"
+
+namespace zonegrid {
+
+ReferenceEngine::ReferenceEngine(const MapperOptions& options, const Window& window)
+    : rule_(options), grid_(window), local_map_(window) {}
+
+void ReferenceEngine::move_to(const Window& window,
+                              const std::function<void(const ZoneIndex&, const ZoneBits&)>& leave) {
+    local_map_.move_to(window);
+    grid_.move_to(window, [&](const ZoneIndex& zone, std::span<const std::int8_t> values) {
+        leave(zone, occupied_bits(values, rule_.threshold, window.zone_edge()));
+    });
+}
+
+void ReferenceEngine::draw_objects(const ZoneIndex& zone, std::span<const CellIndex> cells) {
+    const Window& window = grid_.window();
+    reference::draw_objects(cells, rule_, window.zone_edge(), grid_.touch(window.place_of(zone)));
+}
+
+void ReferenceEngine::integrate_image(const ImageRays& rays) {
+    local_map_.clear();
+    reference::integrate_image(rays, local_map_);
+}
+
+void ReferenceEngine::integrate_scan(const ScanRays& scan) {
+    local_map_.clear();
+    reference::integrate_scan(scan, local_map_);
+}
+
+FusionResult ReferenceEngine::fuse_local_map() {
+    return reference::fuse_local_map(local_map_, rule_, grid_);
+}
+
+ZoneBits ReferenceEngine::occupied(std::uint32_t place) {
+    return occupied_bits(grid_.find(place), rule_.threshold, grid_.window().zone_edge());
+}
+
+} // namespace zonegrid

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "model/local_map.h"
+#include "model/zoned_cells.h"
+#include "pipeline/grid_engine.h"
+
+namespace zonegrid {
+
+/// The scalar reference on the processor.
+class ReferenceEngine : public GridEngine {
+public:
+    ReferenceEngine(const MapperOptions& options, const Window& window);
+
+    void move_to(const Window& window,
+                 const std::function<void(const ZoneIndex&, const ZoneBits&)>& leave) override;
+    void draw_objects(const ZoneIndex& zone, std::span<const CellIndex> cells) override;
+    void integrate_image(const ImageRays& rays) override;
+    void integrate_scan(const ScanRays& scan) override;
+    FusionResult fuse_local_map() override;
+    [[nodiscard]] std::span<const std::uint32_t> held() const override { return grid_.held(); }
+    [[nodiscard]] bool holds(std::uint32_t place) const override {
+        return !grid_.find(place).empty();
+    }
+    [[nodiscard]] ZoneBits occupied(std::uint32_t place) override;
+    [[nodiscard]] std::span<const std::int8_t> values(std::uint32_t place) override {
+        return grid_.find(place);
+    }
+
+private:
+    FusionRule rule_;
+    Grid grid_;
+    LocalMap local_map_;
+};
+
+} // namespace zonegrid
