@@ -65,37 +65,42 @@ void draw_segment(const LocalMap* map, uint plane, int3 start, int3 end) {
     const int3 step = cell_width * distance;
 
     // 3. From cell to cell. Bits of one word are set at once.
-    const int zone_mask = (1 << map->params.zone_bits) - 1;
+    const int zone_bits = map->params.zone_bits;
+    const int zone_mask = (1 << zone_bits) - 1;
     uint first_word = plane_of(map, plane, cell);
     uint index = index_in_zone(map, cell);
+    const int3 stride = (int3)(1, 1 << zone_bits, 1 << 2 * zone_bits) * sign;
     uint word = first_word + index / 32;
     uint bits = 1u << (index % 32);
     for (; left > 0; --left) {
-        int before;
-        int after;
+        int from;
+        int to;
         if (e_xy < 0 && e_xz < 0) {
             e_xy += step.y;
             e_xz += step.z;
-            before = cell.x;
+            index += (uint)(stride.x);
+            from = cell.x;
             cell.x += sign.x;
-            after = cell.x;
+            to = cell.x;
         } else if (e_yz < 0) {
             e_xy -= step.x;
             e_yz += step.z;
-            before = cell.y;
+            index += (uint)(stride.y);
+            from = cell.y;
             cell.y += sign.y;
-            after = cell.y;
+            to = cell.y;
         } else {
             e_xz -= step.x;
             e_yz -= step.y;
-            before = cell.z;
+            index += (uint)(stride.z);
+            from = cell.z;
             cell.z += sign.z;
-            after = cell.z;
+            to = cell.z;
         }
-        if (((before ^ after) & ~zone_mask) != 0) {
+        if (((from ^ to) & ~zone_mask) != 0) {
             first_word = plane_of(map, plane, cell);
+            index = index_in_zone(map, cell);
         }
-        index = index_in_zone(map, cell);
         const uint next_word = first_word + index / 32;
         if (next_word != word) {
             mark(map, word, bits);

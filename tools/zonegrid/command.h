@@ -10,6 +10,7 @@ namespace zonegrid {
 void add_map_command(CLI::App& app);
 void add_dump_command(CLI::App& app);
 void add_inspect_command(CLI::App& app);
+void add_devices_command(CLI::App& app);
 
 /// The end of every --help.
 inline constexpr const char* exit_codes =
