@@ -2,14 +2,6 @@
 
 #include <iostream>
 
-#ifdef __SANITIZE_ADDRESS__
-/// What drivers leak is not ours to mend: rusticl keeps 72 bytes when its platform is looked at.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() {
-    return "leak:libRusticlOpenCL\n";
-}
-#endif
-
 namespace zonegrid {
 
 namespace {
