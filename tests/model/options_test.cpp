@@ -62,7 +62,11 @@ TEST(Options, EachIsRefusedByNameWithItsValueAndTheRule) {
         {"threshold is 0", [](auto& o) { o.threshold = 0; }},
         {"max-gap is -0.01: it must be 0 or more", [](auto& o) { o.max_gap_s = -0.01; }},
         {"max-gap is nan", [](auto& o) { o.max_gap_s = nan; }},
-        {"backend is warp: it must be \"reference\"", [](auto& o) { o.backend = "warp"; }},
+        {"backend is warp: it must be reference, opencl or vulkan",
+         [](auto& o) { o.backend = "warp"; }},
+        {"backend is opencl:: it must be", [](auto& o) { o.backend = "opencl:"; }},
+        {"backend is vulkan:x: it must be", [](auto& o) { o.backend = "vulkan:x"; }},
+        {"backend is vulkan1: it must be", [](auto& o) { o.backend = "vulkan1"; }},
     };
     for (const auto& [message, change] : refusals) {
         MapperOptions options;

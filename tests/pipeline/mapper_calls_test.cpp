@@ -138,9 +138,9 @@ TEST_F(MapperCalls, OptionsAndWindowAreCheckedAtOnce) {
     options = short_range();
     options.cell_m = 0.001;
     EXPECT_THROW(Mapper{options}, CapacityError);
-    options.backend = "vulkan";
+    options.backend = "warp";
     options.cell_m = 1.0;
-    EXPECT_THAT(refusal([&] { Mapper{options}; }), HasSubstr("backend is vulkan"));
+    EXPECT_THAT(refusal([&] { Mapper{options}; }), HasSubstr("backend is warp"));
 }
 
 TEST_F(MapperCalls, ACutThatIsNoNumberIsRefused) {
