@@ -14,6 +14,7 @@ namespace {
 
 constexpr int failure = 1;
 constexpr int usage = 2;
+constexpr int check_failed = 4;
 
 constexpr const char* description =
     "zonegrid makes three-dimensional obstacle maps from depth images and navigation.";
@@ -63,6 +64,8 @@ int run_and_explain(CLI::App& app, int argc, const char* const* argv) {
         return complain(error.what(), usage);
     } catch (const zonegrid::CapacityError& error) {
         return complain(error.what(), usage);
+    } catch (const zonegrid::CheckFailed& error) {
+        return complain(error.what(), check_failed);
     } catch (const std::bad_alloc&) {
         return complain("memory is exhausted; use larger cells or a smaller range", failure);
     } catch (const std::exception& error) {
@@ -83,6 +86,7 @@ int main(int argc, char** argv) {
     zonegrid::add_inspect_command(app);
     zonegrid::add_dump_command(app);
     zonegrid::add_devices_command(app);
+    zonegrid::add_check_command(app);
     app.footer(std::string("zonegrid COMMAND --help explains a command.\n") + zonegrid::exit_codes);
     try {
         return run_and_explain(app, argc, argv);

@@ -112,11 +112,15 @@ MapSettings::MapSettings() {
     mapper.range_m = 40.0;
 }
 
-void add_map_settings(SettingTable& table, MapSettings& settings) {
+void add_mapping_settings(SettingTable& table, MapSettings& settings) {
     add_recording_settings(table, settings.source);
     add_grid_settings(table, settings);
     add_fusion_settings(table, settings);
     add_replay_settings(table, settings);
+}
+
+void add_map_settings(SettingTable& table, MapSettings& settings) {
+    add_mapping_settings(table, settings);
     add_output_settings(table, settings);
 }
 

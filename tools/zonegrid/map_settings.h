@@ -24,7 +24,11 @@ struct MapSettings {
     MapSettings();
 };
 
-/// Adds the settings to `table`, which must not outlive `settings`.
+/// Adds the settings that decide which map is made of which recording to `table`, which must not
+/// outlive `settings`.
+void add_mapping_settings(SettingTable& table, MapSettings& settings);
+
+/// Adds these and where the map goes.
 void add_map_settings(SettingTable& table, MapSettings& settings);
 
 /// --max-gap, which `zonegrid inspect` has too.
