@@ -2,13 +2,19 @@
 
 #include "field_scene.h"
 #include "model/segment_walk.h"
+#include "ops/integrate_image.h"
+#include "ops/reached_zones.h"
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace zonegrid::bench {
@@ -164,6 +170,58 @@ void integrate_image_reference(benchmark::State& state, SensorModel model) {
     state.counters["zones"] = static_cast<double>(local_map.zones().size());
 }
 
+/// Cells that a device's local map says are free and occupied.
+std::array<std::size_t, 2> count_on(device::Device& device, const ops::DeviceLocalMap& local_map,
+                                    std::size_t zones, std::uint32_t plane_words) {
+    std::vector<std::uint32_t> words((zones + 1) * 2 * plane_words);
+    device.download(local_map.planes(), 0, std::as_writable_bytes(std::span(words)));
+    std::array<std::size_t, 2> found{};
+    for (std::size_t slot = 1; slot <= zones; ++slot) {
+        for (std::size_t i = 0; i < plane_words; ++i) {
+            const auto free = words[2 * slot * plane_words + i];
+            const auto occupied = words[(2 * slot + 1) * plane_words + i];
+            found[0] += static_cast<std::size_t>(std::popcount(free & ~occupied));
+            found[1] += static_cast<std::size_t>(std::popcount(occupied));
+        }
+    }
+    return found;
+}
+
+/// Everything that a device needs for an image's local map: the zones it may reach, upload, kernel.
+void integrate_image_device(benchmark::State& state, const std::string& name, SensorModel model) {
+    const Field field(cell_m_of(state), model);
+    LocalMap expected(field.window);
+    reference::integrate_image(field.rays, expected);
+    const auto device = device::open_device(name, {.timestamps = true, .unified_memory = true});
+    ops::IntegrateImage operation(*device);
+    ops::DeviceLocalMap local_map(*device, field.window);
+    std::size_t zones = 0;
+    const auto integrate = [&] {
+        const auto places = ops::reached_zones(field.rays, field.window);
+        zones = places.size();
+        local_map.reserve(places);
+        operation.dispatch(field.rays, local_map);
+        local_map.check();
+    };
+    integrate();
+    const auto found = count_on(*device, local_map, zones, local_map.params().plane_words);
+    if (found[0] != count(expected, ZG_STATEMENT_FREE) ||
+        found[1] != count(expected, ZG_STATEMENT_OCCUPIED)) {
+        state.SkipWithError("the device and the reference disagree");
+        return;
+    }
+    static_cast<void>(device->take_times());
+    for (auto _ : state) {
+        integrate();
+    }
+    double kernel_s = 0.0;
+    for (const auto& time : device->take_times()) {
+        kernel_s += time.seconds;
+    }
+    state.counters["kernel_ms"] = 1e3 * kernel_s / static_cast<double>(state.iterations());
+    state.counters["zones_reserved"] = static_cast<double>(zones);
+}
+
 void walk_sizes(benchmark::internal::Benchmark* benchmark) {
     benchmark->ArgName("cell_cm")->Arg(100)->Arg(50)->Arg(25)->Arg(10)->Unit(
         benchmark::kMillisecond);
@@ -172,6 +230,23 @@ void walk_sizes(benchmark::internal::Benchmark* benchmark) {
 BENCHMARK(integrate_image_dense_walk)->Apply(walk_sizes);
 BENCHMARK_CAPTURE(integrate_image_reference, line, SensorModel::line)->Apply(walk_sizes)->Arg(5);
 BENCHMARK_CAPTURE(integrate_image_reference, span, SensorModel::span)->Apply(walk_sizes);
+
+/// Devices are known only when the program runs.
+const bool devices_registered = [] {
+    for (const auto& info : device::list_devices().devices) {
+        if (info.refusal.empty()) {
+            for (const auto& [name, model] :
+                 {std::pair{"line", SensorModel::line}, std::pair{"span", SensorModel::span}}) {
+                benchmark::RegisterBenchmark(
+                    ("integrate_image_device/" + info.id() + "/" + name).c_str(),
+                    integrate_image_device, info.id(), model)
+                    ->Apply(walk_sizes)
+                    ->UseRealTime();
+            }
+        }
+    }
+    return true;
+}();
 
 } // namespace
 } // namespace zonegrid::bench

@@ -196,6 +196,9 @@ TEST_F(MapTest, ShowsProgressOnATerminalOnly) {
     // script(1) gives the command a terminal.
     const CommandResult result = run(fmt::format(
         "script -qec \"'{}' map recording -o map --range 8\" /dev/null", ZONEGRID_COMMAND));
+    if (result.errors.find("pseudo-terminal") != std::string::npos) {
+        GTEST_SKIP() << "no terminal can be made here: " << result.errors;
+    }
     EXPECT_THAT(result.output, HasSubstr("0 of 8 images"));
     EXPECT_THAT(run(std::string(map_command_line) + "--overwrite").errors, IsEmpty());
 }
