@@ -41,7 +41,8 @@ __kernel __attribute__((reqd_work_group_size(ZG_GROUP_ITEMS, 1, 1))) void integr
     const int3 v = (int3)(params.v[0], params.v[1], params.v[2]);
     int3 centre;
     if (params.own_directions != 0) {
-        centre = (int3)(directions[3 * pixel], directions[3 * pixel + 1], directions[3 * pixel + 2]);
+        centre =
+            (int3)(directions[3 * pixel], directions[3 * pixel + 1], directions[3 * pixel + 2]);
     } else {
         const int u_px = (int)pixel % params.width_px;
         const int v_px = (int)pixel / params.width_px;

@@ -21,14 +21,14 @@ ivec3 sub_ray_offset(ivec3 per_pixel, int i, int level) {
     const int m = 2 * i + 1 - (1 << level);
     const uint shift = uint(level + 1);
     return ivec3(shifted_product(per_pixel.x, m, shift), shifted_product(per_pixel.y, m, shift),
-                  shifted_product(per_pixel.z, m, shift));
+                 shifted_product(per_pixel.z, m, shift));
 }
 
 // The point at `depth` along `direction`.
 ivec3 point_at(ivec3 origin, ivec3 direction, int depth) {
     return origin + ivec3(shifted_product(direction.x, depth, ZG_DIRECTION_BITS),
-                           shifted_product(direction.y, depth, ZG_DIRECTION_BITS),
-                           shifted_product(direction.z, depth, ZG_DIRECTION_BITS));
+                          shifted_product(direction.y, depth, ZG_DIRECTION_BITS),
+                          shifted_product(direction.z, depth, ZG_DIRECTION_BITS));
 }
 
 void main() {

@@ -1,4 +1,5 @@
-// Where a local map lies; part of the arguments of what draws into it. Valid as C++, OpenCL C and GLSL.
+// Where a local map lies; part of the arguments of what draws into it. Valid as C++, OpenCL C and
+// GLSL.
 #ifndef ZG_PARAMS_LOCAL_MAP_H
 #define ZG_PARAMS_LOCAL_MAP_H
 

@@ -60,7 +60,8 @@ void draw_segment(uint plane, ivec3 start, ivec3 end) {
     // 2. The crossing that comes first: borders are counted in half sub-cells.
     const int cell_width = 2 * ZG_SUB_PER_CELL;
     const ivec3 within = start & (ZG_SUB_PER_CELL - 1);
-    const ivec3 to_border = mix(2 * within + 1, cell_width - 1 - 2 * within, greaterThan(way, ivec3(0)));
+    const ivec3 to_border =
+        mix(2 * within + 1, cell_width - 1 - 2 * within, greaterThan(way, ivec3(0)));
     int e_xy = to_border.x * distance.y - to_border.y * distance.x;
     int e_xz = to_border.x * distance.z - to_border.z * distance.x;
     int e_yz = to_border.y * distance.z - to_border.z * distance.y;
