@@ -28,8 +28,8 @@ public:
         for (std::size_t i = 0; i < 3; ++i) {
             const Word to_go = signs[i] > 0 ? edge - 1 - within[i] : within[i];
             left_ |= to_go << (field_bits * i);
-            axes_[i] = {signs[i] * stride, signs[i] * stride * edge, signs[i] * brick_stride,
-                        Word{edge} << (field_bits * i)};
+            axes_[i] = {std::ptrdiff_t{signs[i]} * stride, std::ptrdiff_t{signs[i]} * stride * edge,
+                        signs[i] * brick_stride, Word{edge} << (field_bits * i)};
             stride *= edge;
             brick_stride *= local_map.bricks_per_axis();
         }
