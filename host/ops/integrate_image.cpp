@@ -2,6 +2,7 @@
 
 #include "kernels/params/integrate_image.h"
 
+#include <algorithm>
 #include <array>
 #include <span>
 
