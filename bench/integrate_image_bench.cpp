@@ -12,6 +12,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <utility>
@@ -214,11 +215,14 @@ void integrate_image_device(benchmark::State& state, const std::string& name, Se
     for (auto _ : state) {
         integrate();
     }
-    double kernel_s = 0.0;
+    std::map<std::string, double> kernel_s;
     for (const auto& time : device->take_times()) {
-        kernel_s += time.seconds;
+        kernel_s["kernels"] += time.seconds;
+        kernel_s[time.kernel.substr(time.kernel.find('.') + 1)] += time.seconds;
     }
-    state.counters["kernel_ms"] = 1e3 * kernel_s / static_cast<double>(state.iterations());
+    for (const auto& [kernel, seconds] : kernel_s) {
+        state.counters[kernel + "_ms"] = 1e3 * seconds / static_cast<double>(state.iterations());
+    }
     state.counters["zones_reserved"] = static_cast<double>(zones);
 }
 

@@ -16,6 +16,7 @@ DeviceLocalMap::DeviceLocalMap(device::Device& device, const Window& window)
       params_{std::countr_zero(static_cast<std::uint32_t>(window.zone_edge())),
               window.zones_per_axis(), layout_.plane_words()},
       slots_(device.make_buffer(window.zone_count() * sizeof(std::uint32_t))),
+      places_(device.make_buffer(window.zone_count() * sizeof(std::uint32_t))),
       faults_(device.make_buffer(sizeof(std::uint32_t))),
       table_(window.zone_count()) {
     device_.fill(faults_, 0, faults_.bytes(), 0);
@@ -42,6 +43,10 @@ void DeviceLocalMap::reserve(std::span<const std::uint32_t> places) {
         table_[places[i]] = slot_of(i);
     }
     device_.upload(slots_, 0, std::as_bytes(std::span(table_)));
+    zone_count_ = static_cast<std::uint32_t>(places.size());
+    if (!places.empty()) {
+        device_.upload(places_, 0, std::as_bytes(places));
+    }
 }
 
 void DeviceLocalMap::check() {

@@ -35,6 +35,10 @@ public:
     [[nodiscard]] const params::LocalMapParams& params() const { return params_; }
     [[nodiscard]] const device::Buffer& planes() const { return *planes_; }
 
+    /// How many zones are reserved, and their places, on the device.
+    [[nodiscard]] std::uint32_t zone_count() const { return zone_count_; }
+    [[nodiscard]] const device::Buffer& places() const { return places_; }
+
     /// Waits. Throws std::logic_error if a ray entered a zone that was not reserved.
     void check();
 
@@ -44,7 +48,9 @@ private:
     params::LocalMapParams params_;
     std::optional<device::Buffer> planes_;
     device::Buffer slots_;
+    device::Buffer places_;
     device::Buffer faults_;
+    std::uint32_t zone_count_ = 0;
     std::vector<std::uint32_t> table_; ///< slot by place
 };
 

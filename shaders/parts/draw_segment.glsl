@@ -16,11 +16,19 @@ layout(std430, binding = 2) buffer Faults {
     uint faults[]; // counts the zones entered that nobody reserved
 };
 
-// First word of the plane of the zone that holds a cell.
-uint plane_of(uint plane, ivec3 cell) {
+// Half sub-cells from border to border.
+#define CELL_WIDTH (2 * ZG_SUB_PER_CELL)
+
+// Slot of the zone that holds a cell; 0: no zone was reserved.
+uint slot_of(ivec3 cell) {
     const ivec3 zone = cell >> params.local_map.zone_bits;
     const int zones = params.local_map.zones_per_axis;
-    const uint slot = zone_slots[(zone.z * zones + zone.y) * zones + zone.x];
+    return zone_slots[(zone.z * zones + zone.y) * zones + zone.x];
+}
+
+// First word of the plane of the zone that holds a cell.
+uint plane_of(uint plane, ivec3 cell) {
+    const uint slot = slot_of(cell);
     if (slot == 0) {
         atomicAdd(faults[0], 1);
     }
@@ -47,25 +55,83 @@ void draw_point(uint plane, ivec3 point) {
     mark(plane_of(plane, cell) + index / 32, 1u << (index % 32));
 }
 
-void draw_segment(uint plane, ivec3 start, ivec3 end) {
-    // 1. Where it starts, how far each axis goes, and how many borders it crosses.
+// a b - c d of products that may leave 32 bits, where the difference does not.
+int product_difference(int a, int b, int c, int d) {
+    return int(uint(a) * uint(b) - uint(c) * uint(d));
+}
+
+// How many crossings on one axis come before a crossing at `time` (half sub-cells) on the longest
+// axis, which comes first in a tie if `longest_first`. The float may be wrong by one: the exact
+// test after it decides.
+int crossings_before(int time, int longest, int to_border, int distance, bool longest_first) {
+    const float there = float(time) * (float(distance) / float(longest));
+    int taken = max(int(floor((there - float(to_border)) / float(CELL_WIDTH))) + 1, 0);
+    const int e = product_difference(time, distance, to_border + CELL_WIDTH * taken, longest);
+    if (e > 0 || (e == 0 && !longest_first)) {
+        ++taken;
+    } else if (taken > 0) {
+        const int e_before = e + CELL_WIDTH * longest;
+        if (e_before < 0 || (e_before == 0 && longest_first)) {
+            --taken;
+        }
+    }
+    return taken;
+}
+
+// Crossings on each axis up to one within the first `share` of a segment, near that share's end.
+// Ties: z before y before x.
+ivec3 crossings_within(float share, ivec3 distance, ivec3 to_border) {
+    const int longest = max(distance.x, max(distance.y, distance.z));
+    const bool is_z = distance.z == longest;
+    const bool is_y = !is_z && distance.y == longest;
+    const int first = is_z ? to_border.z : is_y ? to_border.y : to_border.x;
+    // Two half sub-cells are more than the product is wrong by.
+    const float reach = share * float(2 * longest) - 2.0f;
+    const int taken = int(floor((reach - float(first)) / float(CELL_WIDTH))) + 1;
+    if (taken <= 0) {
+        return ivec3(0);
+    }
+    const int time = first + CELL_WIDTH * (taken - 1);
+    ivec3 crossings;
+    crossings.x = crossings_before(time, longest, to_border.x, distance.x, is_y || is_z);
+    crossings.y = crossings_before(time, longest, to_border.y, distance.y, is_z);
+    crossings.z = crossings_before(time, longest, to_border.z, distance.z, false);
+    if (is_z) {
+        crossings.z = taken;
+    } else if (is_y) {
+        crossings.y = taken;
+    } else {
+        crossings.x = taken;
+    }
+    return crossings;
+}
+
+// Draws the cells of a segment but for some of those within its first `share`; at most `most` and
+// one.
+void draw_segment_part(uint plane, ivec3 start, ivec3 end, float share, int most) {
+    // 1. How far each axis goes, where its next border is, and how many it crosses.
     const ivec3 way = end - start;
     const ivec3 distance = max(way, -way);
     const ivec3 sign = mix(ivec3(1), ivec3(-1), lessThan(way, ivec3(0)));
-    ivec3 cell = start >> ZG_SUB_BITS;
-    const ivec3 cells = (end >> ZG_SUB_BITS) - cell;
-    const ivec3 crossings = max(cells, -cells);
-    int left = crossings.x + crossings.y + crossings.z;
-
-    // 2. The crossing that comes first: borders are counted in half sub-cells.
-    const int cell_width = 2 * ZG_SUB_PER_CELL;
     const ivec3 within = start & (ZG_SUB_PER_CELL - 1);
     const ivec3 to_border =
-        mix(2 * within + 1, cell_width - 1 - 2 * within, greaterThan(way, ivec3(0)));
-    int e_xy = to_border.x * distance.y - to_border.y * distance.x;
-    int e_xz = to_border.x * distance.z - to_border.z * distance.x;
-    int e_yz = to_border.y * distance.z - to_border.z * distance.y;
-    const ivec3 step = cell_width * distance;
+        mix(2 * within + 1, CELL_WIDTH - 1 - 2 * within, greaterThan(way, ivec3(0)));
+    const ivec3 cells = (end >> ZG_SUB_BITS) - (start >> ZG_SUB_BITS);
+    const ivec3 crossings = max(cells, -cells);
+    ivec3 taken = ivec3(0);
+    if (share > 0.0f) {
+        taken = crossings_within(share, distance, to_border);
+    }
+    int left = crossings.x + crossings.y + crossings.z - (taken.x + taken.y + taken.z);
+    left = min(left, most);
+
+    // 2. The crossing that comes first.
+    const ivec3 pending = to_border + CELL_WIDTH * taken;
+    int e_xy = product_difference(pending.x, distance.y, pending.y, distance.x);
+    int e_xz = product_difference(pending.x, distance.z, pending.z, distance.x);
+    int e_yz = product_difference(pending.y, distance.z, pending.z, distance.y);
+    const ivec3 step = CELL_WIDTH * distance;
+    ivec3 cell = (start >> ZG_SUB_BITS) + sign * taken;
 
     // 3. From cell to cell. Bits of one word are set at once.
     const int zone_bits = params.local_map.zone_bits;
@@ -113,6 +179,10 @@ void draw_segment(uint plane, ivec3 start, ivec3 end) {
         bits |= 1u << (index % 32);
     }
     mark(word, bits);
+}
+
+void draw_segment(uint plane, ivec3 start, ivec3 end) {
+    draw_segment_part(plane, start, end, 0.0f, 0x7fffffff);
 }
 
 #endif
