@@ -22,6 +22,15 @@ uint count_bits(uint word) {
     return popcount(word);
 }
 
+// Place of the lowest and of the highest bit of a word that is not 0.
+uint lowest_bit(uint word) {
+    return count_bits((word & (0 - word)) - 1);
+}
+
+uint highest_bit(uint word) {
+    return 31 - clz(word);
+}
+
 // a * b / 2^shift, rounded towards minus infinity, of the whole product; shift 1 .. 31.
 int shifted_product(int a, int b, uint shift) {
     const uint low = as_uint(a) * as_uint(b);

@@ -342,6 +342,7 @@ __kernel __attribute__((reqd_work_group_size(ZG_GROUP_ITEMS, 1, 1))) void skip_t
                           u_first / wide_px];
     }
     int slice = params.slice;
+    int rows_left = ZG_SKIP_ROWS;
     while (from < deepest && slice >= ZG_LEAST_SLICE) {
         const int to = min(from + slice, deepest);
         const int3 zero = (int3)(0);
@@ -351,7 +352,13 @@ __kernel __attribute__((reqd_work_group_size(ZG_GROUP_ITEMS, 1, 1))) void skip_t
         // never to the other side of the camera.
         low = select(max(low - 1, zero), low - 1, least < 0);
         high = select(min(high + 1, zero), high + 1, greatest > 0);
-        if (all_free(&map, (origin + low) >> ZG_SUB_BITS, (origin + high) >> ZG_SUB_BITS)) {
+        low = (origin + low) >> ZG_SUB_BITS;
+        high = (origin + high) >> ZG_SUB_BITS;
+        rows_left -= (high.y - low.y + 1) * (high.z - low.z + 1);
+        if (rows_left < 0) {
+            break;
+        }
+        if (all_free(&map, low, high)) {
             from = to;
             slice = min(2 * slice, params.slice);
         } else {
@@ -370,28 +377,36 @@ __kernel __attribute__((reqd_work_group_size(ZG_GROUP_ITEMS, 1, 1))) void draw_r
     __global const int* directions,       // a pixel: x, y, z
     __global const int* skips,            // a tile
     const struct IntegrateImageParams params) {
-    // 1. An item takes one pixel. -1: it is missing, or has no obstacle.
-    const int pixel = (int)(group_index() * group_items() + item_in_group());
+    // 1. An item takes one sub-ray of a pixel, if the pixel is split so often. All sub-rays of a
+    // pixel would be too many steps for one item: some devices end loops after 65535 rounds.
+    const uint item = group_index() * group_items() + item_in_group();
+    const int pixel = (int)(item >> (2 * params.most_split));
     if (pixel >= params.width_px * params.height_px) {
         return;
     }
     const int near = depths[2 * pixel];
     const int far = depths[2 * pixel + 1];
-    if (near < 0) {
+    if (near < 0) { // missing
         return;
     }
-    const LocalMap map = {local_planes, zone_slots, faults, params.local_map};
-    const int3 origin = (int3)(params.origin[0], params.origin[1], params.origin[2]);
-    const int3 u = (int3)(params.u[0], params.u[1], params.u[2]);
-    const int3 v = (int3)(params.v[0], params.v[1], params.v[2]);
+    const int level = split_level(&params, far >= 0 ? far : near);
+    const int i = (int)(item & ((1u << params.most_split) - 1));
+    const int j = (int)(item >> params.most_split & ((1u << params.most_split) - 1));
+    if (i >> level != 0 || j >> level != 0) {
+        return;
+    }
     const int u_px = pixel % params.width_px;
     const int v_px = pixel / params.width_px;
-    int3 centre;
+    int3 direction;
     if (params.own_directions != 0) {
-        centre =
+        direction =
             (int3)(directions[3 * pixel], directions[3 * pixel + 1], directions[3 * pixel + 2]);
     } else {
-        centre = pinhole_direction(&params, u_px, v_px);
+        direction = pinhole_direction(&params, u_px, v_px);
+    }
+    if (level > 0) {
+        direction += sub_ray_offset((int3)(params.u[0], params.u[1], params.u[2]), i, level) +
+                     sub_ray_offset((int3)(params.v[0], params.v[1], params.v[2]), j, level);
     }
 
     // 2. How much of it passes cells that are free already.
@@ -401,26 +416,19 @@ __kernel __attribute__((reqd_work_group_size(ZG_GROUP_ITEMS, 1, 1))) void draw_r
         const int columns = (params.width_px + tile_px - 1) / tile_px;
         skip = skips[v_px / tile_px * columns + u_px / tile_px];
     }
-    const float share = (float)skip / (float)max(near, 1);
 
-    // 3. Free space up to the obstacle, then the obstacle. Each has its plane: occupied beats free
-    // when they are fused.
-    const int level = split_level(&params, far >= 0 ? far : near);
-    for (int j = 0; j < 1 << level; ++j) {
-        for (int i = 0; i < 1 << level; ++i) {
-            int3 direction = centre;
-            if (level > 0) {
-                direction += sub_ray_offset(u, i, level) + sub_ray_offset(v, j, level);
-            }
-            const int3 near_point = point_at(origin, direction, near);
-            if (skip == 0 || skip < near) {
-                draw_segment_part(&map, ZG_FREE_PLANE, origin, near_point, share, INT_MAX);
-            }
-            if (far == near) {
-                draw_point(&map, ZG_OCCUPIED_PLANE, near_point);
-            } else if (far >= 0) {
-                draw_segment(&map, ZG_OCCUPIED_PLANE, near_point, point_at(origin, direction, far));
-            }
-        }
+    // 3. Free space up to the obstacle, then the obstacle; -1: there is none. Each has its plane:
+    // occupied beats free when they are fused.
+    const LocalMap map = {local_planes, zone_slots, faults, params.local_map};
+    const int3 origin = (int3)(params.origin[0], params.origin[1], params.origin[2]);
+    const int3 near_point = point_at(origin, direction, near);
+    if (skip == 0 || skip < near) {
+        const float share = (float)skip / (float)max(near, 1);
+        draw_segment_part(&map, ZG_FREE_PLANE, origin, near_point, share, INT_MAX);
+    }
+    if (far == near) {
+        draw_point(&map, ZG_OCCUPIED_PLANE, near_point);
+    } else if (far >= 0) {
+        draw_segment(&map, ZG_OCCUPIED_PLANE, near_point, point_at(origin, direction, far));
     }
 }

@@ -25,6 +25,15 @@ uint count_bits(uint word) {
     return uint(bitCount(word));
 }
 
+// Place of the lowest and of the highest bit of a word that is not 0.
+uint lowest_bit(uint word) {
+    return uint(findLSB(word));
+}
+
+uint highest_bit(uint word) {
+    return uint(findMSB(word));
+}
+
 // a * b / 2^shift, rounded towards minus infinity, of the whole product; shift 1 .. 31.
 int shifted_product(int a, int b, uint shift) {
     int high;

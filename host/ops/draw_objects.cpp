@@ -16,7 +16,8 @@ DrawObjects::DrawObjects(device::Device& device, std::int32_t zone_edge, const F
       layout_(zone_edge),
       rule_(rule),
       kernel_(device.make_kernel(
-          {"draw_objects", "draw_objects", 3, sizeof(DrawObjectsParams), group_items})) {}
+          {"draw_objects", "draw_objects", 3, sizeof(DrawObjectsParams), group_items})),
+      cells_(device) {}
 
 void DrawObjects::dispatch(std::span<const CellIndex> cells, std::uint32_t slot,
                            device::Buffer& grid_cells, device::Buffer& occupied_planes) {
@@ -28,13 +29,9 @@ void DrawObjects::dispatch(std::span<const CellIndex> cells, std::uint32_t slot,
     for (const auto& cell : cells) {
         places.push_back(slot * layout_.zone_cells + index_in_zone(cell, zone_edge_));
     }
-    const auto bytes = std::as_bytes(std::span(places));
-    if (!cells_ || cells_->bytes() < bytes.size()) {
-        cells_.emplace(device_.make_buffer(bytes.size()));
-    }
-    device_.upload(*cells_, 0, bytes);
     const DrawObjectsParams params{static_cast<std::uint32_t>(places.size()), rule_.drawn()};
-    const std::array<const device::Buffer*, 3> bindings{&grid_cells, &occupied_planes, &*cells_};
+    const std::array<const device::Buffer*, 3> bindings{
+        &grid_cells, &occupied_planes, &cells_.upload(std::span<const std::uint32_t>(places))};
     device_.dispatch(kernel_, bindings, std::as_bytes(std::span(&params, 1)),
                      kernel_.groups_for(params.cells));
 }

@@ -2,11 +2,11 @@
 
 #include "device/device.h"
 #include "model/fusion.h"
+#include "ops/growing_buffer.h"
 #include "ops/zone_layout.h"
 #include "zonegrid/objects.h"
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,7 +31,7 @@ private:
     ZoneLayout layout_;
     FusionRule rule_;
     device::Kernel kernel_;
-    std::optional<device::Buffer> cells_;
+    GrowingBuffer cells_;
 };
 
 } // namespace zonegrid::ops

@@ -38,7 +38,9 @@ FuseLocalMap::FuseLocalMap(device::Device& device, std::int32_t zone_edge, const
     : device_(device),
       layout_(zone_edge),
       rule_(rule),
-      kernel_(device.make_kernel(kernel_spec(group_items))) {}
+      kernel_(device.make_kernel(kernel_spec(group_items))),
+      pairs_(device),
+      changes_(device) {}
 
 void FuseLocalMap::dispatch(const FusionBuffers& buffers, std::span<const ZonePair> pairs) {
     check(buffers, pairs);
@@ -46,8 +48,6 @@ void FuseLocalMap::dispatch(const FusionBuffers& buffers, std::span<const ZonePa
     if (pairs.empty()) {
         return;
     }
-    reserve(pairs.size());
-    device_.upload(*pairs_, 0, std::as_bytes(pairs));
     const FuseLocalMapParams params{static_cast<std::uint32_t>(pairs.size()),
                                     layout_.plane_words(),
                                     rule_.hit,
@@ -55,15 +55,14 @@ void FuseLocalMap::dispatch(const FusionBuffers& buffers, std::span<const ZonePa
                                     rule_.limit,
                                     rule_.threshold};
     const std::array<const device::Buffer*, 5> bindings{
-        &buffers.local_planes, &buffers.grid_cells, &buffers.occupied_planes, &*pairs_, &*changes_};
+        &buffers.local_planes, &buffers.grid_cells, &buffers.occupied_planes, &pairs_.upload(pairs),
+        &changes_.reserve(pairs.size() * sizeof(ZoneChange))};
     device_.dispatch(kernel_, bindings, std::as_bytes(std::span(&params, 1)), params.pair_count);
 }
 
 std::vector<ZoneChange> FuseLocalMap::changes() {
     std::vector<ZoneChange> changes(pair_count_);
-    if (changes_) {
-        device_.download(*changes_, 0, std::as_writable_bytes(std::span(changes)));
-    }
+    changes_.download(std::span(changes));
     return changes;
 }
 
@@ -92,14 +91,6 @@ void FuseLocalMap::check(const FusionBuffers& buffers, std::span<const ZonePair>
     if (twice != grid_slots.end()) {
         throw UsageError(
             fmt::format("grid's slot {} stands in two pairs: fuse one local map a zone", *twice));
-    }
-}
-
-void FuseLocalMap::reserve(std::size_t pairs) {
-    if (!pairs_ || pairs_->bytes() < pairs * sizeof(ZonePair)) {
-        // Twice what is needed, so that a growing map does not come here every image.
-        pairs_.emplace(device_.make_buffer(2 * pairs * sizeof(ZonePair)));
-        changes_.emplace(device_.make_buffer(2 * pairs * sizeof(ZoneChange)));
     }
 }
 

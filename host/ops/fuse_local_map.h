@@ -2,10 +2,10 @@
 
 #include "device/device.h"
 #include "model/fusion.h"
+#include "ops/growing_buffer.h"
 #include "ops/zone_layout.h"
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,14 +50,13 @@ public:
 
 private:
     void check(const FusionBuffers& buffers, std::span<const ZonePair> pairs) const;
-    void reserve(std::size_t pairs);
 
     device::Device& device_;
     ZoneLayout layout_;
     FusionRule rule_;
     device::Kernel kernel_;
-    std::optional<device::Buffer> pairs_;
-    std::optional<device::Buffer> changes_;
+    GrowingBuffer pairs_;
+    GrowingBuffer changes_;
     std::size_t pair_count_ = 0; ///< of the last dispatch
 };
 

@@ -40,24 +40,6 @@ constexpr std::array<std::pair<std::int32_t, std::int32_t>, 3> tile_passes{{
     {least_tile_level, 2 * ZG_SUB_PER_CELL},
 }};
 
-/// Makes `buffer` hold `bytes`, and at least a word: a kernel's buffers must exist.
-void grow(device::Device& device, std::optional<device::Buffer>& buffer, std::uint64_t bytes) {
-    bytes = std::max(bytes, std::uint64_t{sizeof(std::uint32_t)});
-    if (!buffer || buffer->bytes() < bytes) {
-        buffer.reset();
-        buffer.emplace(device.make_buffer(bytes));
-    }
-}
-
-template <class Element>
-void upload(device::Device& device, std::optional<device::Buffer>& buffer,
-            std::span<const Element> elements) {
-    grow(device, buffer, elements.size_bytes());
-    if (!elements.empty()) {
-        device.upload(*buffer, 0, std::as_bytes(elements));
-    }
-}
-
 template <class Params>
 std::span<const std::byte> bytes_of(const Params& params) {
     return std::as_bytes(std::span(&params, 1));
@@ -73,6 +55,19 @@ std::uint32_t tile_count(const ImageRays& rays, std::int32_t level) {
         return static_cast<std::uint32_t>((pixels + (1 << level) - 1) >> level);
     };
     return along(rays.width_px) * along(rays.height_px);
+}
+
+/// How often the pixel that is split most is split on each axis, as a power of two.
+std::int32_t most_split(const ImageRays& rays) {
+    std::int32_t deepest = 0;
+    for (const auto& depth : rays.depths) {
+        deepest = std::max(deepest, depth.near < 0 ? 0 : std::max(depth.near, depth.far));
+    }
+    std::int32_t level = 0;
+    while (rays.spanned && level < ZG_MAX_SPLIT_LEVEL && rays.spacing << level < deepest) {
+        ++level;
+    }
+    return level;
 }
 
 Eigen::Vector3d as_vector(const Direction& direction) {
@@ -110,16 +105,14 @@ std::optional<FillCellsParams> fill_params(const ImageRays& rays, const DeviceLo
         params.right[i] = static_cast<float>(std::abs(u[i]));
         params.down[i] = static_cast<float>(std::abs(v[i]));
     }
-    bool split = false;
     for (const auto& depth : rays.depths) {
         params.deepest = std::max(params.deepest, depth.near);
-        split = split || (rays.spanned && std::max(depth.near, depth.far) > rays.spacing);
     }
     const double most_px = std::max(rays.width_px, rays.height_px);
     const double rounding =
         (std::max(rows.row(0).norm(), rows.row(1).norm()) + 2.0 * most_px) / 65536.0;
     // A sub-ray leaves its pixel's centre by half a pixel.
-    params.slack_px = static_cast<float>(rounding + (split ? 0.5 : 0.0));
+    params.slack_px = static_cast<float>(rounding + (most_split(rays) > 0 ? 0.5 : 0.0));
     return params;
 }
 
@@ -136,12 +129,16 @@ IntegrateImage::IntegrateImage(device::Device& device, std::uint32_t group_items
       skip_tiles_(device.make_kernel(
           {"integrate_image", "skip_tiles", 6, sizeof(IntegrateImageParams), tile_group_items})),
       draw_rays_(device.make_kernel(
-          {"integrate_image", "draw_rays", 6, sizeof(IntegrateImageParams), group_items})) {}
+          {"integrate_image", "draw_rays", 6, sizeof(IntegrateImageParams), group_items})),
+      depths_(device),
+      directions_(device),
+      windows_(device),
+      skips_{GrowingBuffer(device), GrowingBuffer(device), GrowingBuffer(device)} {}
 
 void IntegrateImage::dispatch(const ImageRays& rays, const DeviceLocalMap& local_map) {
-    upload(device_, depths_, std::span(rays.depths));
-    upload(device_, directions_, std::span(rays.directions));
-    grow(device_, skips_.back(), tile_count(rays, least_tile_level) * sizeof(std::int32_t));
+    depths_.upload(std::span(rays.depths));
+    directions_.upload(std::span(rays.directions));
+    skips_.back().reserve(tile_count(rays, least_tile_level) * sizeof(std::int32_t));
     IntegrateImageParams params{local_map.params(),
                                 rays.width_px,
                                 rays.height_px,
@@ -152,6 +149,7 @@ void IntegrateImage::dispatch(const ImageRays& rays, const DeviceLocalMap& local
                                 rays.directions.empty() ? 0U : 1U,
                                 rays.spanned ? 1U : 0U,
                                 rays.spacing,
+                                most_split(rays),
                                 0,
                                 0,
                                 0};
@@ -160,10 +158,11 @@ void IntegrateImage::dispatch(const ImageRays& rays, const DeviceLocalMap& local
         params.tile_level = least_tile_level;
     }
     const auto map = local_map.bindings();
-    const std::array<const device::Buffer*, 6> bindings{map[0],    map[1],        map[2],
-                                                        &*depths_, &*directions_, &*skips_.back()};
+    const std::array<const device::Buffer*, 6> bindings{
+        map[0], map[1], map[2], &depths_.get(), &directions_.get(), &skips_.back().get()};
     device_.dispatch(draw_rays_, bindings, bytes_of(params),
-                     draw_rays_.groups_for(static_cast<std::uint32_t>(rays.depths.size())));
+                     draw_rays_.groups_for(static_cast<std::uint32_t>(rays.depths.size())
+                                           << (2 * params.most_split)));
 }
 
 void IntegrateImage::fill(const ImageRays& rays, const DeviceLocalMap& local_map,
@@ -173,13 +172,13 @@ void IntegrateImage::fill(const ImageRays& rays, const DeviceLocalMap& local_map
     for (std::int32_t level = 0; level < ZG_WINDOW_LEVELS; ++level) {
         windows += window_count(rays.width_px, level) * window_count(rays.height_px, level);
     }
-    grow(device_, windows_, windows * sizeof(std::int32_t));
+    windows_.reserve(windows * sizeof(std::int32_t));
     for (std::int32_t level = 0; level < ZG_WINDOW_LEVELS; ++level) {
         const DeepenWindowsParams to_deepen{rays.width_px, rays.height_px, level};
         const auto parts =
             (window_count(rays.width_px, level) + ZG_WINDOWS_AN_ITEM - 1) / ZG_WINDOWS_AN_ITEM;
         const auto items = parts * window_count(rays.height_px, level);
-        const std::array<const device::Buffer*, 2> bindings{&*depths_, &*windows_};
+        const std::array<const device::Buffer*, 2> bindings{&depths_.get(), &windows_.get()};
         device_.dispatch(deepen_windows_, bindings, bytes_of(to_deepen),
                          deepen_windows_.groups_for(static_cast<std::uint32_t>(items)));
     }
@@ -187,10 +186,11 @@ void IntegrateImage::fill(const ImageRays& rays, const DeviceLocalMap& local_map
     // 2. The cells that can be told by asking windows, and those beside the camera.
     const auto map = local_map.bindings();
     const std::array<const device::Buffer*, 3> to_fill_bindings{map[0], &local_map.places(),
-                                                                &*windows_};
+                                                                &windows_.get()};
     device_.dispatch(fill_cells_, to_fill_bindings, bytes_of(to_fill), to_fill.zones);
     params.tile_level = near_level;
-    const std::array<const device::Buffer*, 4> near_bindings{map[0], map[1], map[2], &*depths_};
+    const std::array<const device::Buffer*, 4> near_bindings{map[0], map[1], map[2],
+                                                             &depths_.get()};
     device_.dispatch(draw_near_, near_bindings, bytes_of(params),
                      draw_near_.groups_for(tile_count(rays, near_level)));
 
@@ -199,10 +199,10 @@ void IntegrateImage::fill(const ImageRays& rays, const DeviceLocalMap& local_map
     for (std::size_t pass = 0; pass < tile_passes.size(); ++pass) {
         std::tie(params.tile_level, params.slice) = tile_passes[pass];
         const auto tiles = tile_count(rays, params.tile_level);
-        grow(device_, skips_[pass], tiles * sizeof(std::int32_t));
+        skips_[pass].reserve(tiles * sizeof(std::int32_t));
         const auto& wide_skips = pass == 0 ? skips_.back() : skips_[pass - 1];
         const std::array<const device::Buffer*, 6> bindings{
-            map[0], map[1], map[2], &*windows_, &*wide_skips, &*skips_[pass]};
+            map[0], map[1], map[2], &windows_.get(), &wide_skips.get(), &skips_[pass].get()};
         device_.dispatch(skip_tiles_, bindings, bytes_of(params), skip_tiles_.groups_for(tiles));
         params.wide_level = params.tile_level;
     }

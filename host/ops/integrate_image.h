@@ -2,9 +2,9 @@
 
 #include "model/rays.h"
 #include "ops/device_local_map.h"
+#include "ops/growing_buffer.h"
 
 #include <array>
-#include <optional>
 
 namespace zonegrid::params {
 struct FillCellsParams;
@@ -36,10 +36,10 @@ private:
     device::Kernel draw_near_;
     device::Kernel skip_tiles_;
     device::Kernel draw_rays_;
-    std::optional<device::Buffer> depths_;
-    std::optional<device::Buffer> directions_;
-    std::optional<device::Buffer> windows_;
-    std::array<std::optional<device::Buffer>, 3> skips_; ///< of wide, smaller and smallest tiles
+    GrowingBuffer depths_;
+    GrowingBuffer directions_;
+    GrowingBuffer windows_;
+    std::array<GrowingBuffer, 3> skips_; ///< of wide, smaller and smallest tiles
 };
 
 } // namespace zonegrid::ops

@@ -2,8 +2,9 @@
 
 #include "model/rays.h"
 #include "ops/device_local_map.h"
+#include "ops/growing_buffer.h"
 
-#include <optional>
+#include <vector>
 
 namespace zonegrid::ops {
 
@@ -21,7 +22,7 @@ public:
 private:
     device::Device& device_;
     device::Kernel kernel_;
-    std::optional<device::Buffer> rays_;
+    GrowingBuffer rays_;
     std::vector<std::int32_t> words_;
 };
 

@@ -3,6 +3,8 @@
 #include "ops/reached_zones.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace zonegrid {
 
@@ -15,6 +17,12 @@ DeviceEngine::DeviceEngine(const MapperOptions& options, const Window& window)
       integrate_scan_(*device_),
       fuse_local_map_(*device_, options.zone, FusionRule(options)),
       draw_objects_(*device_, options.zone, FusionRule(options)),
+      label_components_(*device_, options.zone),
+      measure_objects_(*device_),
+      encode_octree_(*device_),
+      encode_prism_(*device_),
+      profile_heights_(*device_, options.zone),
+      tracker_(options.zone),
       values_(ops::ZoneLayout(options.zone).zone_cells) {}
 
 void DeviceEngine::move_to(const Window& window,
@@ -102,8 +110,104 @@ void DeviceEngine::fuse_chunk(std::uint32_t chunk, std::span<const std::size_t> 
     }
 }
 
-ZoneBits DeviceEngine::occupied(std::uint32_t place) {
-    return occupied_in(slots_.at(place));
+void DeviceEngine::track(std::span<const ZoneIndex> changed) {
+    std::vector<std::vector<ZoneIndex>> by_chunk(grid_.chunk_count());
+    for (const auto& zone : changed) {
+        by_chunk[slots_.at(window_.place_of(zone)).chunk].push_back(zone);
+    }
+    for (std::uint32_t chunk = 0; chunk < by_chunk.size(); ++chunk) {
+        std::span<const ZoneIndex> zones(by_chunk[chunk]);
+        while (!zones.empty()) {
+            const auto batch =
+                zones.first(std::min(zones.size(), ops::LabelComponents::most_zones));
+            track_in(grid_.chunk(chunk), batch);
+            zones = zones.subspan(batch.size());
+        }
+    }
+}
+
+void DeviceEngine::track_in(ops::DeviceGrid::Chunk& chunk, std::span<const ZoneIndex> zones) {
+    std::vector<std::uint32_t> slots;
+    for (const auto& zone : zones) {
+        slots.push_back(slots_.at(window_.place_of(zone)).index);
+    }
+    label_components_.dispatch(chunk.occupied_planes, slots);
+    measure_objects_.dispatch(label_components_);
+    encode_octree_.dispatch(label_components_, measure_objects_);
+    encode_prism_.dispatch(label_components_, measure_objects_);
+    const auto layers = label_components_.layers();
+    const auto measures = measure_objects_.measures();
+    auto octrees = encode_octree_.trees();
+    auto prisms = encode_prism_.trees();
+
+    const auto layer_cells = static_cast<std::size_t>(window_.zone_edge() * window_.zone_edge());
+    std::size_t piece = 0;
+    for (std::size_t i = 0; i < zones.size(); ++i) {
+        const CellIndex first = first_cell_of(zones[i], window_.zone_edge());
+        const auto in_world = [&first](const CellIndex& cell) {
+            return CellIndex{first.x + cell.x, first.y + cell.y, first.z + cell.z};
+        };
+        ZoneSummary summary;
+        for (auto left = label_components_.zones()[i].pieces; left > 0; --left, ++piece) {
+            const auto& measure = measures[piece];
+            const std::int64_t cells = measure.cell_count;
+            summary.pieces.push_back(
+                {in_world(measure.least),
+                 measure.cell_count,
+                 in_world(measure.box_min),
+                 in_world(measure.box_max),
+                 {measure.cell_sum[0] + cells * first.x, measure.cell_sum[1] + cells * first.y,
+                  measure.cell_sum[2] + cells * first.z},
+                 std::move(octrees[piece]),
+                 std::move(prisms[piece])});
+        }
+        auto layer = layers.begin() + static_cast<std::ptrdiff_t>(6 * layer_cells * i);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            for (auto* target : {&summary.first_layer[axis], &summary.last_layer[axis]}) {
+                target->assign(layer, layer + static_cast<std::ptrdiff_t>(layer_cells));
+                layer += static_cast<std::ptrdiff_t>(layer_cells);
+            }
+        }
+        tracker_.set_zone(zones[i], std::move(summary));
+    }
+}
+
+std::vector<ProfileColumn> DeviceEngine::profile_heights(std::int32_t z_least) {
+    const std::int32_t edge = window_.zone_edge();
+    std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> highest; // by x, then y
+    for (std::uint32_t chunk = 0; chunk < grid_.chunk_count(); ++chunk) {
+        std::vector<ops::ProfiledZone> profiled;
+        std::vector<CellIndex> first_cells;
+        for (const auto& [place, slot] : slots_) {
+            const CellIndex first = first_cell_of(window_.zone_at(place), edge);
+            const std::int64_t left_out = std::int64_t{z_least} - first.z;
+            if (slot.chunk == chunk && left_out < edge) {
+                profiled.push_back(
+                    {slot.index, static_cast<std::uint32_t>(std::max<std::int64_t>(left_out, 0))});
+                first_cells.push_back(first);
+            }
+        }
+        profile_heights_.dispatch(grid_.chunk(chunk).occupied_planes, profiled);
+        const auto heights = profile_heights_.heights();
+        for (std::size_t i = 0; i < heights.size(); ++i) {
+            if (heights[i] == ops::ProfileHeights::no_height) {
+                continue;
+            }
+            const auto columns = static_cast<std::size_t>(edge * edge);
+            const CellIndex& first = first_cells[i / columns];
+            const auto column = static_cast<std::int32_t>(i % columns);
+            const std::int32_t z = first.z + heights[i];
+            const auto [found, entered] =
+                highest.try_emplace({first.x + column % edge, first.y + column / edge}, z);
+            found->second = std::min(found->second, z);
+        }
+    }
+    std::vector<ProfileColumn> result;
+    result.reserve(highest.size());
+    for (const auto& [column, z] : highest) {
+        result.push_back({column.first, column.second, z});
+    }
+    return result;
 }
 
 ZoneBits DeviceEngine::occupied_in(const Slot& slot) {

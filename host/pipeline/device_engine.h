@@ -3,10 +3,16 @@
 #include "ops/device_grid.h"
 #include "ops/device_local_map.h"
 #include "ops/draw_objects.h"
+#include "ops/encode_octree.h"
+#include "ops/encode_prism.h"
 #include "ops/fuse_local_map.h"
 #include "ops/integrate_image.h"
 #include "ops/integrate_scan.h"
+#include "ops/label_components.h"
+#include "ops/measure_objects.h"
+#include "ops/profile_heights.h"
 #include "pipeline/grid_engine.h"
+#include "pipeline/piece_tracker.h"
 
 #include <map>
 #include <string>
@@ -27,7 +33,9 @@ public:
     FusionResult fuse_local_map() override;
     [[nodiscard]] std::span<const std::uint32_t> held() const override { return held_; }
     [[nodiscard]] bool holds(std::uint32_t place) const override { return slots_.contains(place); }
-    [[nodiscard]] ZoneBits occupied(std::uint32_t place) override;
+    void track(std::span<const ZoneIndex> changed) override;
+    [[nodiscard]] const std::vector<Object>& objects() override { return tracker_.objects(); }
+    [[nodiscard]] std::vector<ProfileColumn> profile_heights(std::int32_t z_least) override;
     [[nodiscard]] std::span<const std::int8_t> values(std::uint32_t place) override;
 
 private:
@@ -38,6 +46,8 @@ private:
     /// Adds the reserved zones with these indices, whose slots lie in one chunk, to the grid.
     void fuse_chunk(std::uint32_t chunk, std::span<const std::size_t> reserved,
                     FusionResult& result);
+    /// Takes zones whose slots lie in one chunk into the objects.
+    void track_in(ops::DeviceGrid::Chunk& chunk, std::span<const ZoneIndex> zones);
     void note_held();
 
     Window window_;
@@ -48,6 +58,12 @@ private:
     ops::IntegrateScan integrate_scan_;
     ops::FuseLocalMap fuse_local_map_;
     ops::DrawObjects draw_objects_;
+    ops::LabelComponents label_components_;
+    ops::MeasureObjects measure_objects_;
+    ops::EncodeOctree encode_octree_;
+    ops::EncodePrism encode_prism_;
+    ops::ProfileHeights profile_heights_;
+    PieceTracker tracker_;
     std::map<std::uint32_t, Slot> slots_; ///< of the zones that hold cells, by place
     std::vector<std::uint32_t> held_;     ///< their places
     std::vector<std::uint32_t> reserved_; ///< places of the local map's zones

@@ -4,6 +4,7 @@
 #include "model/rays.h"
 #include "model/window.h"
 #include "model/zone_bits.h"
+#include "zonegrid/objects.h"
 #include "zonegrid/options.h"
 
 #include <cstdint>
@@ -41,8 +42,16 @@ public:
     [[nodiscard]] virtual std::span<const std::uint32_t> held() const = 0;
     [[nodiscard]] virtual bool holds(std::uint32_t place) const = 0;
 
-    /// The occupied cells of a zone that holds cells.
-    [[nodiscard]] virtual ZoneBits occupied(std::uint32_t place) = 0;
+    /// Takes zones of the window whose occupancy has changed into the objects. A zone that leaves
+    /// the window stays part of them as it was taken in last.
+    virtual void track(std::span<const ZoneIndex> changed) = 0;
+
+    /// Objects of docs/model.md, section 8, over all zones taken in, sorted by identifier.
+    [[nodiscard]] virtual const std::vector<Object>& objects() = 0;
+
+    /// Height profile of the zones that hold cells (docs/model.md, section 9), without cells above
+    /// `z_least`.
+    [[nodiscard]] virtual std::vector<ProfileColumn> profile_heights(std::int32_t z_least) = 0;
 
     /// The cells of a zone that holds some, order [z][y][x]; valid until the next call.
     [[nodiscard]] virtual std::span<const std::int8_t> values(std::uint32_t place) = 0;

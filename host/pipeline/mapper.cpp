@@ -5,7 +5,6 @@
 #include "model/rays.h"
 #include "pipeline/feature_map.h"
 #include "pipeline/grid_engine.h"
-#include "pipeline/object_tracker.h"
 #include "pipeline/stopwatch.h"
 #include "reference/profile_heights.h"
 #include "zonegrid/errors.h"
@@ -14,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 namespace zonegrid {
@@ -26,8 +26,7 @@ public:
           rule_(options),
           window_(make_window(options, camera)),
           grid_(make_grid_engine(options, window_)),
-          features_(options.zone),
-          tracker_(options.zone) {
+          features_(options.zone) {
         if (camera_) {
             quantizer_.emplace(*camera_, options_);
         }
@@ -80,24 +79,25 @@ public:
     }
 
     const std::vector<Object>& objects() {
-        for (const auto& zone : changed_) {
-            if (window_.holds(zone)) {
-                tracker_.set_zone(zone, grid_->occupied(window_.place_of(zone)));
-            }
-        }
+        grid_->track(std::vector(changed_.begin(), changed_.end()));
         changed_.clear();
-        return tracker_.objects();
+        return grid_->objects();
     }
 
     HeightProfile height_profile(std::optional<double> cut_height_m) const {
-        reference::HeightProfiler profiler(options_.zone, least_z(cut_height_m));
-        for (const auto place : grid_->held()) {
-            profiler.add_zone(window_.zone_at(place), grid_->occupied(place));
-        }
+        const std::int32_t z_least = least_z(cut_height_m);
+        reference::HeightProfiler remembered(options_.zone, z_least);
         for (const auto& [zone, octree] : features_.zones()) {
-            profiler.add_zone(zone, remembered_bits(zone));
+            remembered.add_zone(zone, remembered_bits(zone));
         }
-        return {options_.cell_m, profiler.columns()};
+        std::vector<ProfileColumn> columns;
+        std::ranges::merge(grid_->profile_heights(z_least), remembered.columns(),
+                           std::back_inserter(columns));
+        // Of a column in both the lesser z stands first.
+        const auto doubled = std::ranges::unique(
+            columns, [](const auto& a, const auto& b) { return a.x == b.x && a.y == b.y; });
+        columns.erase(doubled.begin(), doubled.end());
+        return {options_.cell_m, columns};
     }
 
     int value(const CellIndex& cell) const {
@@ -191,9 +191,10 @@ private:
         if (!window_.move_to(sensor_cell_)) {
             return;
         }
+        track_leaving();
         grid_->move_to(window_, [&](const ZoneIndex& zone, const ZoneBits& occupied) {
             ++result.zones_left;
-            leave(zone, occupied);
+            remember(zone, occupied);
         });
         for (const auto& zone : features_.zones_in(window_)) {
             grid_->draw_objects(zone, features_.take(zone));
@@ -202,14 +203,25 @@ private:
         zones_held_most_ = std::max<std::uint64_t>(zones_held_most_, grid_->held().size());
     }
 
-    void leave(const ZoneIndex& zone, const ZoneBits& occupied) {
+    /// Takes zones that the window has left into the objects, as long as the grid still holds them.
+    void track_leaving() {
+        std::vector<ZoneIndex> leaving;
+        for (const auto& zone : changed_) {
+            if (!window_.holds(zone)) {
+                leaving.push_back(zone);
+            }
+        }
+        grid_->track(leaving);
+        for (const auto& zone : leaving) {
+            changed_.erase(zone);
+        }
+    }
+
+    void remember(const ZoneIndex& zone, const ZoneBits& occupied) {
         std::vector<CellIndex> cells;
         occupied.for_each(
             [&](std::uint32_t index) { cells.push_back(cell_at(zone, index, options_.zone)); });
         features_.remember(zone, cells);
-        if (changed_.erase(zone) != 0) {
-            tracker_.set_zone(zone, occupied);
-        }
     }
 
     void fuse(ImageResult& result) {
@@ -273,13 +285,12 @@ private:
     Window window_;
     std::unique_ptr<GridEngine> grid_;
     FeatureMap features_;
-    ObjectTracker tracker_;
     NavigationBuffer navigation_;
     std::optional<ImageQuantizer> quantizer_;
     ImageRays rays_;
     CellIndex sensor_cell_;
     double last_time_s_ = -std::numeric_limits<double>::infinity();
-    std::set<ZoneIndex> changed_; ///< zones in the window whose occupancy the tracker has not seen
+    std::set<ZoneIndex> changed_; ///< zones in the window whose occupancy the objects have not
     std::uint64_t zones_held_most_ = 0;
 };
 

@@ -4,11 +4,12 @@
 #include "reference/fuse_local_map.h"
 #include "reference/integrate_image.h"
 #include "reference/integrate_scan.h"
+#include "reference/profile_heights.h"
 
 namespace zonegrid {
 
 ReferenceEngine::ReferenceEngine(const MapperOptions& options, const Window& window)
-    : rule_(options), grid_(window), local_map_(window) {}
+    : rule_(options), grid_(window), local_map_(window), tracker_(options.zone) {}
 
 void ReferenceEngine::move_to(const Window& window,
                               const std::function<void(const ZoneIndex&, const ZoneBits&)>& leave) {
@@ -37,7 +38,21 @@ FusionResult ReferenceEngine::fuse_local_map() {
     return reference::fuse_local_map(local_map_, rule_, grid_);
 }
 
-ZoneBits ReferenceEngine::occupied(std::uint32_t place) {
+void ReferenceEngine::track(std::span<const ZoneIndex> changed) {
+    for (const auto& zone : changed) {
+        tracker_.set_zone(zone, occupied(grid_.window().place_of(zone)));
+    }
+}
+
+std::vector<ProfileColumn> ReferenceEngine::profile_heights(std::int32_t z_least) {
+    reference::HeightProfiler profiler(grid_.window().zone_edge(), z_least);
+    for (const auto place : grid_.held()) {
+        profiler.add_zone(grid_.window().zone_at(place), occupied(place));
+    }
+    return profiler.columns();
+}
+
+ZoneBits ReferenceEngine::occupied(std::uint32_t place) const {
     return occupied_bits(grid_.find(place), rule_.threshold, grid_.window().zone_edge());
 }
 

@@ -3,6 +3,7 @@
 #include "model/local_map.h"
 #include "model/zoned_cells.h"
 #include "pipeline/grid_engine.h"
+#include "pipeline/object_tracker.h"
 
 namespace zonegrid {
 
@@ -21,15 +22,20 @@ public:
     [[nodiscard]] bool holds(std::uint32_t place) const override {
         return !grid_.find(place).empty();
     }
-    [[nodiscard]] ZoneBits occupied(std::uint32_t place) override;
+    void track(std::span<const ZoneIndex> changed) override;
+    [[nodiscard]] const std::vector<Object>& objects() override { return tracker_.objects(); }
+    [[nodiscard]] std::vector<ProfileColumn> profile_heights(std::int32_t z_least) override;
     [[nodiscard]] std::span<const std::int8_t> values(std::uint32_t place) override {
         return grid_.find(place);
     }
 
 private:
+    [[nodiscard]] ZoneBits occupied(std::uint32_t place) const;
+
     FusionRule rule_;
     Grid grid_;
     LocalMap local_map_;
+    ObjectTracker tracker_;
 };
 
 } // namespace zonegrid

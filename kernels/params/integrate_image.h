@@ -11,7 +11,10 @@ namespace zonegrid::params {
 #define ZG_WINDOW_LEVELS 6    /* windows of 1 to 32 pixels */
 #define ZG_WINDOWS_AN_ITEM 32 /* that deepen_windows fills */
 #define ZG_LEAST_SLICE 32     /* sub-cells that skip_tiles goes ahead at least */
-#define ZG_NEAR_CROSSINGS 48  /* how far draw_near walks */
+#define ZG_SKIP_ROWS                                                                               \
+    12000                    /* rows of cells that a tile looks at; keeps loops below 65535 rounds \
+                              */
+#define ZG_NEAR_CROSSINGS 48 /* how far draw_near walks */
 
 /* Of fill_cells, in sub-cells; docs/filling.md says why those. */
 #define ZG_FILL_NEAREST 64.0f /* no cell is filled whose centre is less deep */
@@ -54,6 +57,7 @@ struct IntegrateImageParams {
     uint own_directions; /* 1: each pixel's direction is given, a is not used */
     uint spanned;        /* 1: sub-rays fill the pixel's pyramid */
     int spacing;         /* depth at which neighbouring rays are one cell apart, sub-cells */
+    int most_split;      /* of draw_rays: 2^most_split squared sub-rays a pixel at most */
     int tile_level;      /* size of a tile, as of a window; 0: no ray is skipped */
     int wide_level;      /* of skip_tiles: size of the tiles before these; 0: there were none */
     int slice;           /* of skip_tiles: sub-cells that it goes ahead at most */
