@@ -5,12 +5,13 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 
 usage() {
     cat <<'END'
-usage: tools/test.sh [--quick | --all] [--tidy | --tidy-all] [--no-install]
+usage: tools/test.sh [--quick | --all] [--long] [--tidy | --tidy-all] [--no-install]
 Installs the Debian packages that are missing, then builds with warnings as errors and runs the
 tests; builds and runs those of the model, the operations and the pipeline again with the address and
 undefined-behaviour sanitizers; checks the formatting and the scripts.
   --quick        build and test only, without sanitizers and checks of the sources
   --all          every test with those sanitizers, and the pipeline's with the thread sanitizer
+  --long         fifty times as many generated cases on devices: 100,000 images each, half an hour
   --tidy         run clang-tidy too, over what decides cells: some ten minutes
   --tidy-all     the same over all of host/ and tools/: about an hour
   --no-install   take the machine as it is
@@ -24,6 +25,7 @@ for option in "$@"; do
     case "$option" in
         --quick) quick=yes ;;
         --all) all=yes ;;
+        --long) export ZONEGRID_LONG_TESTS=1 ;;
         --tidy) tidy=yes ;;
         --tidy-all) tidy=yes tidy_folders='^\./(host|tools)/' ;;
         --no-install) install=no ;;

@@ -128,12 +128,12 @@ INSTANTIATE_TEST_SUITE_P(Backends, IntegrateImageOn, testing::Values("opencl", "
 
 TEST_P(IntegrateImageOn, EqualsTheReference) {
     for_each_device([](const std::unique_ptr<Device>& device) {
-        constexpr std::uint64_t cases = 2000;
+        const std::uint64_t count = cases(2000);
         IntegrateImage wide(*device);
         IntegrateImage narrow(*device, 32);
         std::uint64_t compared = 0;
         std::uint64_t stated = 0;
-        for (std::uint64_t seed = 1; seed <= cases; ++seed, ++compared) {
+        for (std::uint64_t seed = 1; seed <= count; ++seed, ++compared) {
             const ImagePair pair = random_pair(seed);
             const auto expected = pair.by_reference();
             ASSERT_EQ(oracle::difference(expected,
@@ -142,7 +142,7 @@ TEST_P(IntegrateImageOn, EqualsTheReference) {
                 << "seed " << seed;
             stated += expected.size();
         }
-        EXPECT_EQ(compared, cases);
+        EXPECT_EQ(compared, count);
         EXPECT_GT(stated, 500000U);
     });
 }
@@ -150,8 +150,9 @@ TEST_P(IntegrateImageOn, EqualsTheReference) {
 TEST_P(IntegrateImageOn, EqualsTheReferenceWhereCellsAreFilled) {
     for_each_device([](const std::unique_ptr<Device>& device) {
         IntegrateImage operation(*device);
+        const std::uint64_t count = cases(400);
         std::uint64_t stated = 0;
-        for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+        for (std::uint64_t seed = 1; seed <= count; ++seed) {
             const ImagePair pair = surface_pair(seed);
             const auto expected = pair.by_reference();
             ASSERT_EQ(oracle::difference(expected, pair.by_device(*device, operation), 8), "")

@@ -72,11 +72,11 @@ INSTANTIATE_TEST_SUITE_P(Backends, IntegrateScanOn, testing::Values("opencl", "v
 
 TEST_P(IntegrateScanOn, EqualsTheReference) {
     for_each_device([](const std::unique_ptr<Device>& device) {
-        constexpr std::uint64_t cases = 2000;
+        const std::uint64_t count = cases(2000);
         ops::IntegrateScan operation(*device);
         std::uint64_t compared = 0;
         std::uint64_t stated = 0;
-        for (std::uint64_t seed = 1; seed <= cases; ++seed, ++compared) {
+        for (std::uint64_t seed = 1; seed <= count; ++seed, ++compared) {
             Random random(seed);
             const Window window = random_window(random);
             const ScanRays scan = random_rays(random, window);
@@ -93,7 +93,7 @@ TEST_P(IntegrateScanOn, EqualsTheReference) {
                 << "seed " << seed;
             stated += actual.size();
         }
-        EXPECT_EQ(compared, cases);
+        EXPECT_EQ(compared, count);
         EXPECT_GT(stated, 300000U);
     });
 }
