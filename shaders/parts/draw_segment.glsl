@@ -60,31 +60,25 @@ int product_difference(int a, int b, int c, int d) {
     return int(uint(a) * uint(b) - uint(c) * uint(d));
 }
 
-// How many crossings on one axis come before a crossing at `time` (half sub-cells) on the longest
-// axis, which comes first in a tie if `longest_first`. The float may be wrong by one: the exact
-// test after it decides.
-int crossings_before(int time, int longest, int to_border, int distance, bool longest_first) {
+// How many crossings on one axis come no later than `time` (half sub-cells) on the longest axis.
+// The float may be wrong by one: the exact test after it decides.
+int crossings_until(int time, int longest, int to_border, int distance) {
     const float there = float(time) * (float(distance) / float(longest));
-    int taken = max(int(floor((there - float(to_border)) / float(CELL_WIDTH))) + 1, 0);
+    const int taken = max(int(floor((there - float(to_border)) / float(CELL_WIDTH))) + 1, 0);
     const int e = product_difference(time, distance, to_border + CELL_WIDTH * taken, longest);
-    if (e > 0 || (e == 0 && !longest_first)) {
-        ++taken;
-    } else if (taken > 0) {
-        const int e_before = e + CELL_WIDTH * longest;
-        if (e_before < 0 || (e_before == 0 && longest_first)) {
-            --taken;
-        }
+    if (e >= 0) {
+        return taken + 1;
     }
-    return taken;
+    return taken > 0 && e + CELL_WIDTH * longest < 0 ? taken - 1 : taken;
 }
 
-// Crossings on each axis up to one within the first `share` of a segment, near that share's end.
-// Ties: z before y before x.
+// Crossings on each axis up to one on the longest axis, near the end of the first `share` of a
+// segment but surely within it. What ties with that one counts too: all cells around it are free.
 ivec3 crossings_within(float share, ivec3 distance, ivec3 to_border) {
     const int longest = max(distance.x, max(distance.y, distance.z));
-    const bool is_z = distance.z == longest;
-    const bool is_y = !is_z && distance.y == longest;
-    const int first = is_z ? to_border.z : is_y ? to_border.y : to_border.x;
+    const int first = distance.z == longest   ? to_border.z
+                      : distance.y == longest ? to_border.y
+                                              : to_border.x;
     // Two half sub-cells are more than the product is wrong by.
     const float reach = share * float(2 * longest) - 2.0f;
     const int taken = int(floor((reach - float(first)) / float(CELL_WIDTH))) + 1;
@@ -92,18 +86,9 @@ ivec3 crossings_within(float share, ivec3 distance, ivec3 to_border) {
         return ivec3(0);
     }
     const int time = first + CELL_WIDTH * (taken - 1);
-    ivec3 crossings;
-    crossings.x = crossings_before(time, longest, to_border.x, distance.x, is_y || is_z);
-    crossings.y = crossings_before(time, longest, to_border.y, distance.y, is_z);
-    crossings.z = crossings_before(time, longest, to_border.z, distance.z, false);
-    if (is_z) {
-        crossings.z = taken;
-    } else if (is_y) {
-        crossings.y = taken;
-    } else {
-        crossings.x = taken;
-    }
-    return crossings;
+    return ivec3(crossings_until(time, longest, to_border.x, distance.x),
+                 crossings_until(time, longest, to_border.y, distance.y),
+                 crossings_until(time, longest, to_border.z, distance.z));
 }
 
 // Draws the cells of a segment but for some of those within its first `share`; at most `most` and

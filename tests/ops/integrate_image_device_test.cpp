@@ -223,6 +223,29 @@ TEST_P(IntegrateImageOn, WalksLongRaysOfPixelsThatAreSplitMost) {
     });
 }
 
+TEST_P(IntegrateImageOn, DrawsTheCameraCellOfRaysOfNoLength) {
+    for_each_device([](const std::unique_ptr<Device>& device) {
+        IntegrateImage operation(*device);
+        Window window(8, 5, 12);
+        window.move_to({0, 0, 0});
+        ImageRays rays;
+        rays.width_px = rays.height_px = 5;
+        rays.origin = {16 * ZG_SUB_PER_CELL, 16 * ZG_SUB_PER_CELL, 16 * ZG_SUB_PER_CELL};
+        rays.a = {1 << ZG_DIRECTION_BITS, 0, 0};
+        rays.u = {0, 1 << 24, 0};
+        rays.v = {0, 0, 1 << 24};
+        rays.depths.assign(25, {0, -1});
+        const auto places = ops::reached_zones(rays, window);
+        DeviceLocalMap local_map(*device, window);
+        local_map.reserve(places);
+        operation.dispatch(rays, local_map);
+        local_map.check();
+        const auto statements = statements_of(*device, local_map, places, window);
+        ASSERT_EQ(statements.size(), 1U);
+        EXPECT_EQ(statements.begin()->second, ZG_STATEMENT_FREE);
+    });
+}
+
 TEST_P(IntegrateImageOn, SaysSoIfAZoneWasNotReserved) {
     for_each_device([](const std::unique_ptr<Device>& device) {
         IntegrateImage operation(*device);
