@@ -122,7 +122,7 @@ __kernel __attribute__((reqd_work_group_size(ZG_GROUP_ITEMS, 1, 1))) void encode
     while (level <= zone_bits) {
         if (entered) {
             const uint node = read_node(nodes_here, node_place(zone_bits, level, x, y));
-            open[level] = level == 1 ? 0 : node >> 1 & 0x55; // columns have no nodes
+            open[level] = node >> 1 & 0x55;
             word |= node << (8 * (written % 4));
             ++written;
             if (written % 4 == 0 || written == node_count) {

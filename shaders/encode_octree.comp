@@ -144,7 +144,7 @@ void main() {
     while (level <= zone_bits) {
         if (entered) {
             const uint node = read_node(node_place(zone_bits, level, x, y, z));
-            open[level] = level == 1 ? 0 : node >> 1 & 0x5555; // cells have no nodes
+            open[level] = node >> 1 & 0x5555;
             word |= node << (16 * (written % 2));
             ++written;
             if (written % 2 == 0 || written == node_count) {

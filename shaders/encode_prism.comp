@@ -137,7 +137,7 @@ void main() {
     while (level <= zone_bits) {
         if (entered) {
             const uint node = read_node(node_place(zone_bits, level, x, y));
-            open[level] = level == 1 ? 0 : node >> 1 & 0x55; // columns have no nodes
+            open[level] = node >> 1 & 0x55;
             word |= node << (8 * (written % 4));
             ++written;
             if (written % 4 == 0 || written == node_count) {
