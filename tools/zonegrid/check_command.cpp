@@ -54,8 +54,9 @@ std::vector<std::string> devices_to_check(const std::string& backend) {
 }
 
 std::string text_of(const std::string& device, const MapDifference& difference) {
-    return fmt::format("{}: {} differ after image {} ({})\n  {}\n", device, difference.what,
-                       difference.images, difference.frame, difference.detail);
+    return fmt::format("{}: {} differ after image {} ({})\n  {}: {}\n", device, difference.what,
+                       difference.images, difference.frame, difference.operation,
+                       difference.detail);
 }
 
 void check(const MapSettings& settings) {
@@ -74,14 +75,14 @@ void check(const MapSettings& settings) {
         });
     };
     const auto expected = watched([&](const ReplayObserver& observer) {
-        return take_steps(*recording, span, expected_options, digest_every, observer);
+        return take_steps(*recording, span, {expected_options}, digest_every, observer);
     });
     std::string differing;
     for (const auto& name : names) {
         MapperOptions options = expected_options;
         options.backend = name;
         const auto difference = watched([&](const ReplayObserver& observer) {
-            return find_difference(*recording, span, expected_options, expected, options,
+            return find_difference(*recording, span, {expected_options}, expected, {options},
                                    digest_every, observer);
         });
         if (difference) {
