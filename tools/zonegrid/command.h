@@ -14,6 +14,7 @@ void add_dump_command(CLI::App& app);
 void add_inspect_command(CLI::App& app);
 void add_devices_command(CLI::App& app);
 void add_check_command(CLI::App& app);
+void add_doctor_command(CLI::App& app);
 
 /// A device's map differs from the reference's; exit code 4.
 class CheckFailed : public Error {
