@@ -38,6 +38,7 @@ TEST_F(HelpTest, GivesUnitsAndDefaultsOfMap) {
                                    "--zone",
                                    "--model",
                                    "--backend",
+                                   "--device",
                                    "--hit",
                                    "--miss",
                                    "--limit",

@@ -1,3 +1,4 @@
+#include "backend_choice.h"
 #include "command.h"
 #include "device/device.h"
 #include "interruption.h"
@@ -37,9 +38,9 @@ struct CheckCommand {
     SettingTable table;
 };
 
-std::vector<std::string> devices_to_check(const std::string& backend) {
-    if (backend != "reference") {
-        return {backend};
+std::vector<std::string> devices_to_check(const MapSettings& settings) {
+    if (settings.mapper.backend != "reference" || settings.device) {
+        return {choose_backend(settings).backend};
     }
     std::vector<std::string> names;
     for (const auto& info : device::list_devices().devices) {
@@ -60,9 +61,8 @@ std::string text_of(const std::string& device, const MapDifference& difference) 
 }
 
 void check(const MapSettings& settings) {
-    MapperOptions expected_options = mapper_options(settings);
-    const auto names = devices_to_check(expected_options.backend);
-    expected_options.backend = "reference";
+    const MapperOptions expected_options = mapper_options(settings);
+    const auto names = devices_to_check(settings);
     const std::unique_ptr<Recording> recording = open_recording(settings.source);
     const FrameSpan span = frame_span(settings, recording->frames().size());
     const InterruptionGuard interruption;
