@@ -25,7 +25,7 @@ public:
 /// The end of every --help.
 inline constexpr const char* exit_codes =
     "Exit codes: 0 success; 1 failure (data wrong, nothing mapped, output not writable);\n"
-    "2 an option or argument that cannot work; 4 a device's map is not the reference's (check).\n"
+    "2 an option or argument that cannot work; 4 a device's map is not the expected one (check).\n"
     "Errors are one line on standard error.";
 
 } // namespace zonegrid
