@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -61,6 +62,7 @@ SelfTest test_backend(const std::string& backend) {
         }
     } catch (const std::exception& error) { // whatever a driver does is what was asked for
         test.problem = error.what();
+        std::ranges::replace(test.problem, '\n', ' '); // of a compiler's log
     }
     test.seconds = stopwatch.lap_s();
     return test;

@@ -50,13 +50,14 @@ MapDifference explain(const Recording& recording, const FrameSpan& span, std::si
         return step_of(replay(recording, {span.first, span.first + count}, mapper, observer));
     };
     Mapper before = expected_recipe.make(recording.camera());
-    static_cast<void>(replayed(images > 0 ? images - 1 : 0, before));
+    const MapStep previous = replayed(images > 0 ? images - 1 : 0, before);
     Mapper expected = expected_recipe.make(recording.camera());
     const MapStep right = replayed(images, expected);
     Mapper actual = actual_recipe.make(recording.camera());
     const MapStep wrong = replayed(images, actual);
-    MapDifference difference = difference_of_maps(
-        before, expected, actual, recording.camera() ? "integrate_image" : "integrate_scan");
+    const LastImage last{before, right.zones_entered != previous.zones_entered,
+                         recording.camera() ? "integrate_image" : "integrate_scan"};
+    MapDifference difference = difference_of_maps(last, expected, actual);
     difference.images = images;
     if (images > 0) {
         difference.frame = recording.frames()[span.first + images - 1].file.string();

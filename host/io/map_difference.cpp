@@ -34,18 +34,15 @@ bool holds(const MapStatistics& map, const CellIndex& cell) {
 }
 
 /// Which operation gave a cell its wrong value. A value that fusion can make of the one before
-/// comes from a wrong statement of the image; any other from fusion itself. In a zone that entered
-/// with this image, the value before is what was drawn.
-std::string operation_of(const Mapper& before, const CellIndex& cell, std::int32_t value,
-                         std::string_view integration) {
-    const FusionRule rule(before.options());
-    if (holds(before.statistics(), cell)) {
-        return can_follow(before.value(cell), value, rule) ? std::string(integration)
-                                                           : "fuse_local_map";
-    }
-    return can_follow(0, value, rule) || can_follow(rule.drawn(), value, rule)
-               ? fmt::format("draw_objects or {}", integration)
-               : "fuse_local_map";
+/// comes from a wrong statement of the image; any other from fusion itself. In a zone that may have
+/// come back with this image, the value before is what was drawn, rightly or wrongly.
+std::string operation_of(const LastImage& last, const CellIndex& cell, std::int32_t value) {
+    const FusionRule rule(last.before.options());
+    const bool drawn = last.zones_entered && !holds(last.before.statistics(), cell);
+    const bool fused = can_follow(last.before.value(cell), value, rule) ||
+                       (drawn && can_follow(rule.drawn(), value, rule));
+    return fmt::format("{}{}", drawn ? "draw_objects or " : "",
+                       fused ? last.integration : "fuse_local_map");
 }
 
 /// The cells in which two sorted lists differ, each once.
@@ -60,8 +57,8 @@ std::vector<CellIndex> differing_cells(const std::vector<CellValue>& expected,
     return cells;
 }
 
-MapDifference difference_of_cells(const Mapper& before, const Mapper& expected,
-                                  const Mapper& actual, std::string_view integration) {
+MapDifference difference_of_cells(const LastImage& last, const Mapper& expected,
+                                  const Mapper& actual) {
     const auto cells = differing_cells(cells_of(expected), cells_of(actual));
     if (cells.empty()) {
         return {};
@@ -70,7 +67,7 @@ MapDifference difference_of_cells(const Mapper& before, const Mapper& expected,
     const ZoneIndex zone = zone_of(first, expected.options().zone);
     MapDifference difference;
     difference.what = "cells";
-    difference.operation = operation_of(before, first, actual.value(first), integration);
+    difference.operation = operation_of(last, first, actual.value(first));
     difference.detail =
         fmt::format("first cell {} in zone ({}, {}, {}): value {}, expected {}; {} cells differ",
                     text_of(first), zone.x, zone.y, zone.z, actual.value(first),
@@ -98,6 +95,12 @@ MapDifference difference_of_profiles(const Mapper& expected, const Mapper& actua
     return difference;
 }
 
+/// Objects come from the occupied bits that fusion keeps beside the values: where the cells are
+/// equal, these may still be wrong.
+std::string occupancy_or(const char* operation) {
+    return fmt::format("{} or the occupied bits of fuse_local_map", operation);
+}
+
 /// How two objects of one identifier differ.
 MapDifference difference_of_object(const Object& expected, const Object& actual) {
     MapDifference difference;
@@ -113,7 +116,7 @@ MapDifference difference_of_object(const Object& expected, const Object& actual)
     };
     if (actual.cell_count != expected.cell_count || box(actual) != box(expected) ||
         actual.cell_sum != expected.cell_sum) {
-        difference.operation = "measure_objects";
+        difference.operation = occupancy_or("measure_objects");
         difference.detail = fmt::format(
             "{} cells, box {}, sums ({}, {}, {}), expected {} cells, box {}, sums ({}, {}, {})",
             actual.cell_count, box(actual), actual.cell_sum[0], actual.cell_sum[1],
@@ -155,15 +158,14 @@ MapDifference difference_of_objects(std::span<const Object> expected,
         return place == list.end() ? std::string("none") : text_of(place->id);
     };
     difference.what = "objects";
-    difference.operation = "label_components";
+    difference.operation = occupancy_or("label_components");
     difference.detail = fmt::format("object {} of {}: {}, expected {} of {}", number, actual.size(),
                                     name(other, actual), name(one, expected), expected.size());
     return difference;
 }
 
-MapDifference difference_of_maps(const Mapper& before, Mapper& expected, Mapper& actual,
-                                 std::string_view integration) {
-    MapDifference difference = difference_of_cells(before, expected, actual, integration);
+MapDifference difference_of_maps(const LastImage& last, Mapper& expected, Mapper& actual) {
+    MapDifference difference = difference_of_cells(last, expected, actual);
     if (difference.what.empty()) {
         difference = difference_of_objects(expected.objects(), actual.objects());
     }

@@ -20,11 +20,17 @@ struct CellValue {
 /// Every cell in the window with a value other than 0, by x, then y, then z.
 [[nodiscard]] std::vector<CellValue> cells_of(const Mapper& mapper);
 
-/// What differs between two maps that were equal one image before, when they were `before`: cells,
-/// else objects, else the height profile. `what` is empty if nothing does. Fills all but image and
-/// frame. `integration` is the operation that draws what the sensor says.
-[[nodiscard]] MapDifference difference_of_maps(const Mapper& before, Mapper& expected,
-                                               Mapper& actual, std::string_view integration);
+/// The image with which two maps parted.
+struct LastImage {
+    const Mapper& before;         ///< either map before it
+    bool zones_entered = false;   ///< zones came back with it
+    std::string_view integration; ///< the operation that draws what the sensor says
+};
+
+/// What differs between two maps that were equal before the last image: cells, else objects, else
+/// the height profile. `what` is empty if nothing does. Fills all but image and frame.
+[[nodiscard]] MapDifference difference_of_maps(const LastImage& last, Mapper& expected,
+                                               Mapper& actual);
 
 /// The first object that differs, and in what; `what` is empty if none does.
 [[nodiscard]] MapDifference difference_of_objects(std::span<const Object> expected,

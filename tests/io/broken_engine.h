@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace zonegrid::testing {
@@ -16,6 +17,7 @@ enum class Fault {
     scan_loses_a_ray,     ///< the first ray of each scan
     fusion_forgets_limit, ///< cells grow beyond the limit by one
     drawing_loses_cells,  ///< zones come back empty
+    drawing_adds_one,     ///< cells come back with one more
     planes_lose_a_cell,   ///< the first occupied cell of each zone is not told of
     counts_one_too_many   ///< cells changed
 };
@@ -24,13 +26,15 @@ enum class Fault {
 class BrokenEngine final : public GridEngine {
 public:
     BrokenEngine(const MapperOptions& options, const Window& window, Fault fault)
-        : fault_(fault), limit_(options.limit), engine_(options, window) {}
+        : fault_(fault), rule_(options), window_(window), engine_(options, window) {}
 
     void move_to(const Window& window,
                  const std::function<void(const ZoneIndex&, const ZoneBits&)>& leave) override {
+        window_ = window;
         engine_.move_to(window, leave);
     }
     void draw_objects(const ZoneIndex& zone, std::span<const CellIndex> cells) override {
+        drawn_.insert(zone);
         engine_.draw_objects(
             zone, fault_ == Fault::drawing_loses_cells ? std::span<const CellIndex>() : cells);
     }
@@ -73,20 +77,23 @@ public:
         return bits;
     }
     [[nodiscard]] std::span<const std::int8_t> values(std::uint32_t place) override {
+        const bool drawn = drawn_.contains(window_.zone_at(place));
         const auto values = engine_.values(place);
-        if (fault_ != Fault::fusion_forgets_limit) {
-            return values;
-        }
         values_.assign(values.begin(), values.end());
         for (std::int8_t& value : values_) {
-            value = value == limit_ ? static_cast<std::int8_t>(value + 1) : value;
+            if ((fault_ == Fault::fusion_forgets_limit && value == rule_.limit) ||
+                (fault_ == Fault::drawing_adds_one && drawn && value == rule_.drawn())) {
+                value = static_cast<std::int8_t>(value + 1);
+            }
         }
         return values_;
     }
 
 private:
     Fault fault_;
-    int limit_;
+    FusionRule rule_;
+    Window window_;
+    std::set<ZoneIndex> drawn_; ///< zones that came back
     ReferenceEngine engine_;
     std::vector<std::int8_t> values_;
 };
