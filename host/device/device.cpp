@@ -1,66 +1,15 @@
 #include "device/device.h"
 
 #include "device/backends.h"
+#include "device/device_choice.h"
 #include "device/embedded_code.h"
 #include "zonegrid/errors.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <charconv>
-#include <optional>
 
 namespace zonegrid::device {
 
 namespace {
-
-void append_backend(DeviceList (*list)(), DeviceList& all) {
-    try {
-        const DeviceList found = list();
-        all.devices.insert(all.devices.end(), found.devices.begin(), found.devices.end());
-        all.missing.insert(all.missing.end(), found.missing.begin(), found.missing.end());
-    } catch (const std::exception& error) {
-        all.missing.emplace_back(error.what());
-    }
-}
-
-/// "opencl:1" -> "opencl" and 1; "opencl" -> no index. Nothing if it is neither.
-struct DeviceName {
-    std::string_view backend;
-    std::optional<std::uint32_t> index;
-};
-
-std::optional<DeviceName> parse_name(std::string_view name) {
-    DeviceName parsed;
-    const auto colon = name.find(':');
-    parsed.backend = name.substr(0, colon);
-    if (parsed.backend != "opencl" && parsed.backend != "vulkan") {
-        return std::nullopt;
-    }
-    if (colon != std::string_view::npos) {
-        const auto digits = name.substr(colon + 1);
-        std::uint32_t index = 0;
-        const auto [end, error] =
-            std::from_chars(digits.data(), digits.data() + digits.size(), index);
-        if (error != std::errc{} || end != digits.data() + digits.size()) {
-            return std::nullopt;
-        }
-        parsed.index = index;
-    }
-    return parsed;
-}
-
-std::string describe(const DeviceList& list) {
-    std::vector<std::string> found;
-    found.reserve(list.devices.size() + list.missing.size());
-    for (const auto& info : list.devices) {
-        found.push_back(fmt::format("{} ({}, {}{})", info.id(), info.name, info.driver,
-                                    info.refusal.empty() ? "" : ", refused: " + info.refusal));
-    }
-    found.insert(found.end(), list.missing.begin(), list.missing.end());
-    return found.empty() ? "nothing" : fmt::format("{}", fmt::join(found, "; "));
-}
 
 void require_range(const Buffer& buffer, std::uint64_t offset, std::uint64_t bytes) {
     if (offset > buffer.bytes() || bytes > buffer.bytes() - offset) {
@@ -97,41 +46,14 @@ void require_spec(const KernelSpec& spec, const DeviceInfo& info) {
 
 } // namespace
 
-DeviceList list_devices() {
-    DeviceList all;
-    append_backend(&list_opencl_devices, all);
-    append_backend(&list_vulkan_devices, all);
-    return all;
-}
-
 std::unique_ptr<Device> open_device(std::string_view name, const DeviceOptions& options) {
-    const auto wanted = parse_name(name);
-    if (!wanted) {
-        throw UsageError(
-            fmt::format("device \"{}\": name a backend, opencl or vulkan, and, if you "
-                        "like, which of its devices: opencl:1",
-                        name));
-    }
-    DeviceList list;
-    append_backend(wanted->backend == "opencl" ? &list_opencl_devices : &list_vulkan_devices, list);
-    const auto chosen = std::ranges::find_if(list.devices, [&](const DeviceInfo& info) {
-        return wanted->index ? info.index == *wanted->index : info.refusal.empty();
-    });
-    if (chosen == list.devices.end()) {
-        throw DeviceError(std::string(name), "there is no such device, or none that can be used",
-                          "found: " + describe(list));
-    }
-    if (!chosen->refusal.empty()) {
-        throw DeviceError(chosen->id(),
-                          chosen->name + " (" + chosen->driver + ") is refused: " + chosen->refusal,
-                          "choose another device");
-    }
-    if (options.timestamps && !chosen->limits.timestamps) {
-        throw DeviceError(chosen->id(), chosen->name + " cannot time its work",
+    const DeviceInfo chosen = find_device(name);
+    if (options.timestamps && !chosen.limits.timestamps) {
+        throw DeviceError(chosen.id(), chosen.name + " cannot time its work",
                           "open it without timestamps");
     }
-    return wanted->backend == "opencl" ? open_opencl_device(*chosen, options)
-                                       : open_vulkan_device(*chosen, options);
+    return chosen.backend == "opencl" ? open_opencl_device(chosen, options)
+                                      : open_vulkan_device(chosen, options);
 }
 
 Buffer Device::make_buffer(std::uint64_t bytes) {

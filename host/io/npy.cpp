@@ -2,12 +2,15 @@
 
 #include "io/file_bytes.h"
 #include "io/float_bytes.h"
+#include "io/little_endian.h"
+#include "io/output_file.h"
 #include "zonegrid/errors.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cstdint>
 #include <span>
@@ -122,6 +125,34 @@ NpyArray read_npy(const std::filesystem::path& file) {
         array.values.push_back(little_endian_float(data.data() + at));
     }
     return array;
+}
+
+void write_npy(const std::filesystem::path& file, const NpyArray& array) {
+    constexpr std::size_t alignment = 64; // of the data, as the format asks for
+    const std::size_t count = count_of(array.shape, array.values.size());
+    if (array.shape.empty() || count != array.values.size()) {
+        throw UsageError(fmt::format("{}: the shape ({}) does not fit {} values", file.string(),
+                                     fmt::join(array.shape, ", "), array.values.size()));
+    }
+    std::string header = "{'descr': '<f4', 'fortran_order': False, 'shape': (";
+    for (const std::size_t length : array.shape) {
+        header += fmt::format("{}, ", length);
+    }
+    header += "), }";
+    while ((magic.size() + 4 + header.size() + 1) % alignment != 0) {
+        header += ' ';
+    }
+    header += '\n';
+    std::vector<std::uint8_t> bytes(magic.begin(), magic.end());
+    bytes.insert(bytes.end(), {1, 0});
+    append_little_endian(bytes, static_cast<std::uint16_t>(header.size()));
+    bytes.insert(bytes.end(), header.begin(), header.end());
+    for (const float value : array.values) {
+        append_little_endian(bytes, std::bit_cast<std::uint32_t>(value));
+    }
+    OutputFile output(file);
+    output.write(bytes);
+    output.close();
 }
 
 } // namespace zonegrid

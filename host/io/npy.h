@@ -17,4 +17,8 @@ struct NpyArray {
 /// does not fit its shape.
 [[nodiscard]] NpyArray read_npy(const std::filesystem::path& file);
 
+/// Writes the same, version 1. Throws OutputError if it cannot, UsageError if `values` do not fill
+/// `shape`.
+void write_npy(const std::filesystem::path& file, const NpyArray& array);
+
 } // namespace zonegrid

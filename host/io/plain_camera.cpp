@@ -92,20 +92,24 @@ void read_directions(DescriptionTable& table, const std::filesystem::path& folde
                              "give each pixel a direction, and missing depth where it sees none");
         }
     }
-    const MeanSpacing across = fit_spacing(camera, 0);
-    const MeanSpacing down = fit_spacing(camera, 1);
-    if (!(across.focal_px > 0.0) || !(down.focal_px > 0.0) || !std::isfinite(across.focal_px) ||
-        !std::isfinite(down.focal_px)) {
+    if (!fit_mean_spacing(camera)) {
         throw InputError(file.string(), "the directions do not grow with the pixel",
                          "x/z grows to the right, y/z downwards, over at least 2 x 2 pixels");
     }
+}
+
+} // namespace
+
+bool fit_mean_spacing(Camera& camera) {
+    const MeanSpacing across = fit_spacing(camera, 0);
+    const MeanSpacing down = fit_spacing(camera, 1);
     camera.fx_px = across.focal_px;
     camera.cx_px = across.centre_px;
     camera.fy_px = down.focal_px;
     camera.cy_px = down.centre_px;
+    return across.focal_px > 0.0 && down.focal_px > 0.0 && std::isfinite(across.focal_px) &&
+           std::isfinite(down.focal_px);
 }
-
-} // namespace
 
 Camera read_plain_camera(DescriptionTable& table, const std::filesystem::path& folder) {
     Camera camera;

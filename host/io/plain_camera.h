@@ -13,4 +13,8 @@ namespace zonegrid {
 [[nodiscard]] Camera read_plain_camera(DescriptionTable& table,
                                        const std::filesystem::path& folder);
 
+/// Sets fx, fy, cx and cy to the straight lines closest to the camera's table of directions. False
+/// if these do not grow with the pixel, to the right and downwards; then the four mean nothing.
+[[nodiscard]] bool fit_mean_spacing(Camera& camera);
+
 } // namespace zonegrid

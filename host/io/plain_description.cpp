@@ -52,12 +52,11 @@ Eigen::Isometry3d read_mounting(DescriptionTable& root, const Eigen::Matrix3d& b
         const double roll_deg = table->number("roll_deg").value_or(0.0);
         const double pitch_deg = table->number("pitch_deg").value_or(0.0);
         const double yaw_deg = table->number("yaw_deg").value_or(0.0);
-        mounting.linear() = attitude_from_euler(roll_deg * rad_per_deg, pitch_deg * rad_per_deg,
-                                                yaw_deg * rad_per_deg)
-                                .toRotationMatrix();
         table->require_all_read();
+        mounting.linear() = mounted_rotation(roll_deg, pitch_deg, yaw_deg, body_from_forward);
+        return mounting;
     }
-    mounting.linear() = mounting.linear() * body_from_forward;
+    mounting.linear() = body_from_forward;
     return mounting;
 }
 
@@ -142,6 +141,14 @@ void read_world(DescriptionTable& root, PlainDescription& description) {
 }
 
 } // namespace
+
+Eigen::Matrix3d mounted_rotation(double roll_deg, double pitch_deg, double yaw_deg,
+                                 const Eigen::Matrix3d& body_from_forward) {
+    return attitude_from_euler(roll_deg * rad_per_deg, pitch_deg * rad_per_deg,
+                               yaw_deg * rad_per_deg)
+               .toRotationMatrix() *
+           body_from_forward;
+}
 
 PlainDescription read_plain_description(const std::filesystem::path& file) {
     const toml::table parsed = parse_description(file);

@@ -22,4 +22,8 @@ struct PlainDescription {
 /// Throws InputError naming file, line and key, also for a key that is unknown.
 [[nodiscard]] PlainDescription read_plain_description(const std::filesystem::path& file);
 
+/// The sensor's axes in the body's: turned from looking forward by yaw, then pitch, then roll.
+[[nodiscard]] Eigen::Matrix3d mounted_rotation(double roll_deg, double pitch_deg, double yaw_deg,
+                                               const Eigen::Matrix3d& body_from_forward);
+
 } // namespace zonegrid

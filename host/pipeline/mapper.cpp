@@ -20,12 +20,13 @@ namespace zonegrid {
 
 class Mapper::Implementation {
 public:
-    Implementation(const MapperOptions& options, const std::optional<Camera>& camera)
+    Implementation(const MapperOptions& options, const std::optional<Camera>& camera,
+                   const GridEngineMaker& make_engine)
         : options_(options),
           camera_(camera),
           rule_(options),
           window_(make_window(options, camera)),
-          grid_(make_grid_engine(options, window_)),
+          grid_(make_engine(options, window_)),
           features_(options.zone) {
         if (camera_) {
             quantizer_.emplace(*camera_, options_);
@@ -294,12 +295,16 @@ private:
     std::uint64_t zones_held_most_ = 0;
 };
 
-Mapper::Mapper(const MapperOptions& options, const std::optional<Camera>& camera) {
+Mapper::Mapper(const MapperOptions& options, const std::optional<Camera>& camera)
+    : Mapper(options, camera, &make_grid_engine) {}
+
+Mapper::Mapper(const MapperOptions& options, const std::optional<Camera>& camera,
+               const GridEngineMaker& make_engine) {
     check_options(options);
     if (camera) {
         check_camera(*camera);
     }
-    implementation_ = std::make_unique<Implementation>(options, camera);
+    implementation_ = std::make_unique<Implementation>(options, camera, make_engine);
 }
 
 Mapper::~Mapper() = default;

@@ -22,7 +22,7 @@ TEST_F(HelpTest, IsWhatTheBareCommandPrints) {
 }
 
 TEST_F(HelpTest, TeachesEachCommand) {
-    for (const char* const command : {"map", "dump", "inspect", "devices", "check"}) {
+    for (const char* const command : {"map", "dump", "inspect", "devices", "check", "doctor"}) {
         const CommandResult result = run("zonegrid " + std::string(command) + " --help");
         EXPECT_EQ(result.exit_code, 0) << command;
         EXPECT_THAT(result.output, HasSubstr("Examples:")) << command;
@@ -38,6 +38,7 @@ TEST_F(HelpTest, GivesUnitsAndDefaultsOfMap) {
                                    "--zone",
                                    "--model",
                                    "--backend",
+                                   "--device",
                                    "--hit",
                                    "--miss",
                                    "--limit",

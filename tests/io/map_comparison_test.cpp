@@ -59,8 +59,8 @@ std::optional<MapDifference> compare(const MapperOptions& expected, const Mapper
     const Wall wall;
     const FrameSpan span{0, wall.frames().size()};
     const auto watch = [](const ReplaySummary&) {};
-    return find_difference(wall, span, expected,
-                           take_steps(wall, span, expected, digest_every, watch), actual,
+    return find_difference(wall, span, {expected},
+                           take_steps(wall, span, {expected}, digest_every, watch), {actual},
                            digest_every, watch);
 }
 
@@ -71,7 +71,7 @@ TEST(MapComparison, FindsNothingBetweenEqualMaps) {
 TEST(MapComparison, TakesDigestsNowAndThenAndAtTheEnd) {
     const Wall wall;
     const auto steps =
-        take_steps(wall, {0, 10}, options_with_limit(8), every, [](const ReplaySummary&) {});
+        take_steps(wall, {0, 10}, {options_with_limit(8)}, every, [](const ReplaySummary&) {});
     ASSERT_EQ(steps.size(), 11U);
     for (std::size_t i = 0; i < steps.size(); ++i) {
         EXPECT_EQ(steps[i].digest.empty(), i % every != 0 && i != 10) << i;
@@ -87,6 +87,7 @@ TEST(MapComparison, FindsTheFirstImageAndCellWhereValuesPart) {
     EXPECT_EQ(difference->what, "cells");
     EXPECT_THAT(difference->detail, HasSubstr("value 7, expected 8"));
     EXPECT_THAT(difference->detail, HasSubstr("in zone (-1, -1, 0)"));
+    EXPECT_EQ(difference->operation, "fuse_local_map");
 }
 
 TEST(MapComparison, FindsObjectsThatPartWhereCellsDoNot) {
@@ -99,6 +100,7 @@ TEST(MapComparison, FindsObjectsThatPartWhereCellsDoNot) {
     EXPECT_EQ(difference->images, 1U);
     EXPECT_EQ(difference->what, "objects");
     EXPECT_THAT(difference->detail, HasSubstr("none, expected"));
+    EXPECT_THAT(difference->operation, HasSubstr("label_components"));
 }
 
 } // namespace

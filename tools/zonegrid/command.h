@@ -14,6 +14,7 @@ void add_dump_command(CLI::App& app);
 void add_inspect_command(CLI::App& app);
 void add_devices_command(CLI::App& app);
 void add_check_command(CLI::App& app);
+void add_doctor_command(CLI::App& app);
 
 /// A device's map differs from the reference's; exit code 4.
 class CheckFailed : public Error {
@@ -24,7 +25,7 @@ public:
 /// The end of every --help.
 inline constexpr const char* exit_codes =
     "Exit codes: 0 success; 1 failure (data wrong, nothing mapped, output not writable);\n"
-    "2 an option or argument that cannot work; 4 a device's map is not the reference's (check).\n"
+    "2 an option or argument that cannot work; 4 a device's map is not the expected one (check).\n"
     "Errors are one line on standard error.";
 
 } // namespace zonegrid

@@ -19,8 +19,8 @@ constexpr const char* description =
     "refused, and which loaders or drivers are missing.";
 
 constexpr const char* help_footer =
-    "The name in the first column is what zonegrid map --backend takes. The reference needs no "
-    "device.\n"
+    "The id in the first column is what zonegrid map --backend and --device take; --device also\n"
+    "takes a part of the name beside it. The reference needs no device.\n"
     "\n"
     "Examples:\n"
     "  zonegrid devices\n"

@@ -87,6 +87,7 @@ int main(int argc, char** argv) {
     zonegrid::add_dump_command(app);
     zonegrid::add_devices_command(app);
     zonegrid::add_check_command(app);
+    zonegrid::add_doctor_command(app);
     app.footer(std::string("zonegrid COMMAND --help explains a command.\n") + zonegrid::exit_codes);
     try {
         return run_and_explain(app, argc, argv);

@@ -29,6 +29,8 @@ constexpr const char* help_footer =
     "Examples:\n"
     "  zonegrid map flight1 -o out/flight1 --cell 0.25 --range 60\n"
     "  zonegrid map desk -o out/desk --cell 0.02 --range 4 --frames 0:50 --overwrite\n"
+    "  zonegrid map flight1 -o out/flight1 --backend auto\n"
+    "  zonegrid map flight1 -o out/flight1 --backend vulkan --device radeon\n"
     "  zonegrid map flight1 --cell 0.5 --dump-config > coarse.toml\n"
     "  zonegrid map flight1 -o out/coarse --config coarse.toml\n"
     "\n";
@@ -75,9 +77,15 @@ void map(const MapSettings& settings) {
         throw UsageError("--output is missing: name the folder to make for the map with -o DIR");
     }
     Stopwatch stopwatch;
-    const MapperOptions options = mapper_options(settings);
+    MapperOptions options = mapper_options(settings);
     const std::unique_ptr<Recording> recording = open_recording(settings.source);
-    MapRun run{*recording, settings, options, frame_span(settings, recording->frames().size())};
+    const FrameSpan span = frame_span(settings, recording->frames().size());
+    const BackendChoice backend = choose_backend(settings);
+    options.backend = backend.backend;
+    if (!backend.reason.empty() && !settings.quiet) {
+        std::fputs(fmt::format("zonegrid: auto: {}\n", backend.reason).c_str(), stderr);
+    }
+    MapRun run{*recording, settings, backend, options, span};
     Mapper mapper(options, recording->camera());
     const InterruptionGuard interruption;
     NewFolder folder(*settings.output, settings.overwrite ? std::span(map_folder_names)

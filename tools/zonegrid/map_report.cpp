@@ -115,6 +115,7 @@ Json report_of(const MapRun& run) {
     json["zonegrid"] = {{"version", ZONEGRID_VERSION}, {"report", 1}};
     json["recording"] = recording_json(run.recording);
     json["parameters"] = parameters_of(run);
+    json["backend"] = backend_json(run.backend);
     json["images"] = images_of(run.replay);
     json["rays"] = {{"stated", run.replay.rays},
                     {"missing", run.replay.missing},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "backend_choice.h"
 #include "io/map_folder.h"
 #include "io/recording.h"
 #include "io/replay.h"
@@ -19,6 +20,7 @@ namespace zonegrid {
 struct MapRun {
     const Recording& recording;
     const MapSettings& settings;
+    const BackendChoice& backend;
     MapperOptions options;
     FrameSpan span;
     ReplaySummary replay{};

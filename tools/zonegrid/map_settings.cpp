@@ -56,11 +56,25 @@ void add_grid_settings(SettingTable& table, MapSettings& settings) {
         "span-sigmas", "N", "spread of an obstacle in standard deviations, span model only",
         mapper.span_sigmas,
         finite_where([](double value) { return value >= 0.0; }, "a number, 0 or more")));
-    table.add(bind_setting("backend", "NAME",
-                           "how to compute: reference, opencl, vulkan, or one device: opencl:0",
-                           mapper.backend,
-                           {[](const std::string& name) { return is_backend_name(name); },
-                            "reference, opencl, vulkan, or one device, such as opencl:0"}));
+}
+
+void add_backend_settings(SettingTable& table, MapSettings& settings) {
+    table.start_group("Backend");
+    table.add(bind_setting(
+        "backend", "NAME",
+        "how to compute: reference, opencl, vulkan, one device such as opencl:0, or auto: the "
+        "first "
+        "device that passes a self-test, GPUs first, else the reference",
+        settings.mapper.backend,
+        {[](const std::string& name) { return name == "auto" || is_backend_name(name); },
+         "reference, opencl, vulkan, auto, or one device, such as opencl:0"}));
+    table.add(bind_setting(
+        "device", "NAME",
+        "which device: its number with --backend opencl or vulkan, its id, or a part of its name; "
+        "zonegrid devices lists them",
+        settings.device,
+        {[](const std::string& text) { return !text.empty(); },
+         "a device's number, id or a part of its name"}));
 }
 
 void add_fusion_settings(SettingTable& table, MapSettings& settings) {
@@ -115,6 +129,7 @@ MapSettings::MapSettings() {
 void add_mapping_settings(SettingTable& table, MapSettings& settings) {
     add_recording_settings(table, settings.source);
     add_grid_settings(table, settings);
+    add_backend_settings(table, settings);
     add_fusion_settings(table, settings);
     add_replay_settings(table, settings);
 }
@@ -134,6 +149,7 @@ Setting max_gap_setting(double& max_gap_s) {
 MapperOptions mapper_options(const MapSettings& settings) {
     MapperOptions options = settings.mapper;
     options.model = settings.model == "span" ? SensorModel::span : SensorModel::line;
+    options.backend = "reference"; // until the devices are looked at
     check_options(options);
     return options;
 }

@@ -14,6 +14,7 @@ struct MapSettings {
     RecordingSettings source;
     MapperOptions mapper;
     std::string model = "line";
+    std::optional<std::string> device;
     std::optional<std::string> output;
     std::optional<std::string> frames;
     std::optional<double> cut_height;
@@ -34,7 +35,8 @@ void add_map_settings(SettingTable& table, MapSettings& settings);
 /// --max-gap, which `zonegrid inspect` has too.
 [[nodiscard]] Setting max_gap_setting(double& max_gap_s);
 
-/// The mapper's options, complete and checked. Throws UsageError.
+/// The mapper's options, complete and checked, but for the backend, which `choose_backend` finds.
+/// Throws UsageError.
 [[nodiscard]] MapperOptions mapper_options(const MapSettings& settings);
 
 /// Which frames of `count` to map. Throws UsageError if --frames asks for more than there are.

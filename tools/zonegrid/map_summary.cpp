@@ -144,6 +144,9 @@ std::string summary_of(const MapRun& run, const std::filesystem::path& folder) {
     text +=
         labelled("memory", fmt::format("{:.0f} MiB at most",
                                        static_cast<double>(run.memory_most_bytes) / bytes_per_mib));
+    if (const auto& device = run.backend.device) {
+        text += labelled("computed on", fmt::format("{} ({})", device->id(), device->name));
+    }
     text += labelled("pictures", (folder / profile_name).string());
     text += labelled("", (folder / profile3d_name).string());
     text += labelled("map in", folder.string());

@@ -13,8 +13,8 @@ constexpr const char* erase_line = "\r\x1b[K";
 
 } // namespace
 
-Progress::Progress(std::uint64_t images, bool wanted)
-    : images_(images), shown_(wanted && ::isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(std::uint64_t count, bool wanted, const char* things)
+    : count_(count), things_(things), shown_(wanted && ::isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
     if (shown_) {
@@ -29,11 +29,12 @@ void Progress::show(std::uint64_t done) {
     }
     next_ = now + between_drawings;
     const std::chrono::duration<double> spent = now - start_;
-    std::string line = fmt::format("{}{} of {} images", erase_line, done, images_);
+    std::string line = fmt::format("{}{} of {} {}", erase_line, done, count_, things_);
     if (done > 0 && spent.count() > 0.0) {
         const double rate = static_cast<double>(done) / spent.count();
-        const auto left_s = static_cast<std::uint64_t>(static_cast<double>(images_ - done) / rate);
-        line += fmt::format(", {:.1f} images/s, {}:{:02} left", rate, left_s / 60, left_s % 60);
+        const auto left_s = static_cast<std::uint64_t>(static_cast<double>(count_ - done) / rate);
+        line +=
+            fmt::format(", {:.1f} {}/s, {}:{:02} left", rate, things_, left_s / 60, left_s % 60);
     }
     std::fputs(line.c_str(), stderr);
 }

@@ -5,22 +5,23 @@
 
 namespace zonegrid {
 
-/// A line on standard error that says how far a run over images is. Silent unless that is a
-/// terminal; erased at the end.
+/// A line on standard error that says how far a run over images, or other things, is. Silent unless
+/// that is a terminal; erased at the end.
 class Progress {
 public:
-    Progress(std::uint64_t images, bool wanted);
+    Progress(std::uint64_t count, bool wanted, const char* things = "images");
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
     ~Progress();
 
-    /// Called as often as images are done; draws a few times a second.
+    /// Called as often as one is done; draws a few times a second.
     void show(std::uint64_t done);
 
 private:
     using Clock = std::chrono::steady_clock;
 
-    std::uint64_t images_;
+    std::uint64_t count_;
+    const char* things_;
     bool shown_;
     Clock::time_point start_ = Clock::now();
     Clock::time_point next_ = start_;

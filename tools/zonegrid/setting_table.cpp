@@ -106,6 +106,14 @@ void SettingTable::read_arguments() {
     }
 }
 
+std::vector<std::string> SettingTable::given() const {
+    std::vector<std::string> names;
+    for (const auto& [setting, text] : arguments_) {
+        names.push_back(setting->name);
+    }
+    return names;
+}
+
 std::string SettingTable::to_toml() const {
     std::string text;
     for (const auto& [setting, group] : entries_) {

@@ -27,6 +27,9 @@ public:
     /// Takes the noted arguments; called after `read_file`, so that they win.
     void read_arguments();
 
+    /// Names of the settings that arguments give, in their order.
+    [[nodiscard]] std::vector<std::string> given() const;
+
     /// A configuration file that gives what the settings are now.
     [[nodiscard]] std::string to_toml() const;
 

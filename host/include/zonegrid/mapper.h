@@ -47,6 +47,13 @@ struct MapStatistics {
     std::uint64_t cells_free = 0;       ///< in the window: value below 0
 };
 
+class GridEngine;
+class Window;
+
+/// Makes the part of a Mapper that computes (host/pipeline/grid_engine.h).
+using GridEngineMaker =
+    std::function<std::unique_ptr<GridEngine>(const MapperOptions&, const Window&)>;
+
 /// The obstacle mapper: navigation in, image in, map out. Needs no file.
 ///
 /// Not safe for concurrent calls on one Mapper; two Mappers are independent.
@@ -55,6 +62,9 @@ public:
     /// `camera` is needed for `add_image`. Throws UsageError if an option or the camera cannot
     /// work, CapacityError if cell and range do not fit a window of 2048 cells an axis.
     explicit Mapper(const MapperOptions& options, const std::optional<Camera>& camera = {});
+    /// The same on an engine of the caller's, whatever backend `options` names.
+    Mapper(const MapperOptions& options, const std::optional<Camera>& camera,
+           const GridEngineMaker& make_engine);
     ~Mapper();
     Mapper(const Mapper&) = delete;
     Mapper& operator=(const Mapper&) = delete;
