@@ -39,7 +39,9 @@ double direction_length(const Camera& camera, int u, int v) {
     double x = (u - camera.cx_px) / camera.fx_px;
     double y = (v - camera.cy_px) / camera.fy_px;
     if (!camera.directions.empty()) {
-        const auto& slope = camera.directions[static_cast<std::size_t>(v * camera.width_px + u)];
+        const auto width = static_cast<std::size_t>(camera.width_px);
+        const auto& slope =
+            camera.directions[static_cast<std::size_t>(v) * width + static_cast<std::size_t>(u)];
         x = static_cast<double>(slope.x());
         y = static_cast<double>(slope.y());
     }

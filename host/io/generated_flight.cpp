@@ -82,8 +82,8 @@ Camera generate_camera(SeededNumbers& numbers) {
     if (numbers.chance(0.3)) { // whole slopes: rays through edges and corners of cells
         camera.fx_px = std::max(1, (camera.width_px - 1) / 2);
         camera.fy_px = std::max(1, (camera.height_px - 1) / 2);
-        camera.cx_px = (camera.width_px - 1) / 2;
-        camera.cy_px = (camera.height_px - 1) / 2;
+        camera.cx_px = std::floor((camera.width_px - 1) / 2.0);
+        camera.cy_px = std::floor((camera.height_px - 1) / 2.0);
     } else {
         camera.fx_px = camera.width_px * numbers.real(0.4, 2.5);
         camera.fy_px = camera.height_px * numbers.real(0.4, 2.5);
