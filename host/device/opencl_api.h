@@ -29,8 +29,11 @@ public:
     decltype(&clReleaseMemObject) release_memory = library_.find("clReleaseMemObject");
     decltype(&clCreateProgramWithSource) create_program =
         library_.find("clCreateProgramWithSource");
+    decltype(&clCreateProgramWithBinary) create_program_with_binary =
+        library_.find("clCreateProgramWithBinary");
     decltype(&clBuildProgram) build_program = library_.find("clBuildProgram");
     decltype(&clGetProgramBuildInfo) get_build_info = library_.find("clGetProgramBuildInfo");
+    decltype(&clGetProgramInfo) get_program_info = library_.find("clGetProgramInfo");
     decltype(&clReleaseProgram) release_program = library_.find("clReleaseProgram");
     decltype(&clCreateKernel) create_kernel = library_.find("clCreateKernel");
     decltype(&clGetKernelWorkGroupInfo) get_kernel_work_group_info =

@@ -74,6 +74,9 @@ public:
     PFN_vkCreatePipelineLayout create_pipeline_layout = find("vkCreatePipelineLayout");
     PFN_vkDestroyPipelineLayout destroy_pipeline_layout = find("vkDestroyPipelineLayout");
     PFN_vkCreateComputePipelines create_pipelines = find("vkCreateComputePipelines");
+    PFN_vkCreatePipelineCache create_pipeline_cache = find("vkCreatePipelineCache");
+    PFN_vkGetPipelineCacheData get_pipeline_cache = find("vkGetPipelineCacheData");
+    PFN_vkDestroyPipelineCache destroy_pipeline_cache = find("vkDestroyPipelineCache");
     PFN_vkDestroyPipeline destroy_pipeline = find("vkDestroyPipeline");
 
     PFN_vkCreateCommandPool create_command_pool = find("vkCreateCommandPool");

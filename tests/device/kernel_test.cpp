@@ -224,6 +224,18 @@ TEST_P(KernelOf, NamesFileAndLineOfWhatDoesNotCompile) {
     }
 }
 
+TEST(EmbeddedCode, IsCutToOneKernelLineForLine) {
+    const std::string source =
+        "int f();\n__kernel void one(int i) {\n    {\n    }\n}\n// between\n"
+        "__kernel __attribute__((a(8, 1, 1))) void two(\n    int i) {\n}\nint g();";
+    EXPECT_EQ(device::only_entry(source, "one"),
+              "int f();\n__kernel void one(int i) {\n    {\n    }\n}\n// between\n\n\n\nint g();");
+    EXPECT_EQ(device::only_entry(source, "two"),
+              "int f();\n\n\n\n\n// between\n"
+              "__kernel __attribute__((a(8, 1, 1))) void two(\n    int i) {\n}\nint g();");
+    EXPECT_EQ(device::only_entry("", "one"), "");
+}
+
 TEST(EmbeddedCode, HasEveryKernelInBothLanguages) {
     std::set<std::string> operations;
     for (const auto& source : device::embedded_sources()) {
