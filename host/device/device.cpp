@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <optional>
+#include <utility>
 
 namespace zonegrid::device {
 
@@ -60,6 +62,10 @@ std::string describe(const DeviceList& list) {
     }
     found.insert(found.end(), list.missing.begin(), list.missing.end());
     return found.empty() ? "nothing" : fmt::format("{}", fmt::join(found, "; "));
+}
+
+double megabytes(std::uint64_t bytes) {
+    return static_cast<double>(bytes) / (1U << 20U);
 }
 
 void require_range(const Buffer& buffer, std::uint64_t offset, std::uint64_t bytes) {
@@ -142,7 +148,23 @@ Buffer Device::make_buffer(std::uint64_t bytes) {
         throw CapacityError(fmt::format("a buffer of {} bytes was asked for: {} ({}) allows {}",
                                         bytes, info_.id(), info_.name, info_.limits.buffer_bytes));
     }
-    return {this, bytes, do_make_buffer(bytes)};
+    if (bytes > spare_bytes()) {
+        throw CapacityError(
+            fmt::format("{} ({}) has no room for a buffer of {:.1f} MB: {:.1f} MB of its limit of "
+                        "{:.1f} MB are taken",
+                        info_.id(), info_.name, megabytes(bytes), megabytes(held_bytes_),
+                        megabytes(options_.memory_limit_bytes)));
+    }
+    auto memory = do_make_buffer(bytes);
+    held_bytes_ += bytes;
+    return {this, bytes, Buffer::Share(&held_bytes_, {bytes}), std::move(memory)};
+}
+
+std::uint64_t Device::spare_bytes() const {
+    const auto limit = options_.memory_limit_bytes;
+    return limit == 0            ? std::numeric_limits<std::uint64_t>::max()
+           : limit > held_bytes_ ? limit - held_bytes_
+                                 : 0;
 }
 
 Kernel Device::make_kernel(const KernelSpec& spec) {

@@ -72,7 +72,7 @@ private:
         cl_int code = CL_SUCCESS;
         OpenClHandle<cl_mem> memory(
             api_.create_buffer(context_.get(), flags, bytes, nullptr, &code), api_.release_memory);
-        check(code, "clCreateBuffer");
+        check_opencl_memory(code, "clCreateBuffer", info().id());
         return std::make_unique<OpenClMemory>(std::move(memory));
     }
 

@@ -62,4 +62,7 @@ using OpenClHandle = std::unique_ptr<std::remove_pointer_t<Object>, cl_int (*)(O
 /// Throws DeviceError if `code`, which `call` returned, is a failure.
 void check_opencl(cl_int code, const char* call, const std::string& device);
 
+/// The same for calls that take memory: throws CapacityError if there is none left.
+void check_opencl_memory(cl_int code, const char* call, const std::string& device);
+
 } // namespace zonegrid::device

@@ -117,4 +117,7 @@ public:
 /// Throws DeviceError if `code`, which `call` returned, is a failure.
 void check_vulkan(VkResult code, const char* call, const std::string& device);
 
+/// The same for calls that take memory: throws CapacityError if there is none left.
+void check_vulkan_memory(VkResult code, const char* call, const std::string& device);
+
 } // namespace zonegrid::device

@@ -28,6 +28,9 @@ public:
     [[nodiscard]] const KernelKey& device_key() const { return device_key_; }
 
     void check(VkResult code, const char* call) const { check_vulkan(code, call, id_); }
+    void check_memory(VkResult code, const char* call) const {
+        check_vulkan_memory(code, call, id_);
+    }
 
 private:
     [[nodiscard]] VkDevice open() const;

@@ -96,7 +96,8 @@ void FuseLocalMap::check(const FusionBuffers& buffers, std::span<const ZonePair>
 }
 
 void FuseLocalMap::reserve(std::size_t pairs) {
-    if (!pairs_ || pairs_->bytes() < pairs * sizeof(ZonePair)) {
+    // The second is made last: without it, the first is too small for what was asked.
+    if (!changes_ || changes_->bytes() < pairs * sizeof(ZoneChange)) {
         // Twice what is needed, so that a growing map does not come here every image.
         pairs_.emplace(device_.make_buffer(2 * pairs * sizeof(ZonePair)));
         changes_.emplace(device_.make_buffer(2 * pairs * sizeof(ZoneChange)));

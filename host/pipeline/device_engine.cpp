@@ -1,16 +1,58 @@
 #include "pipeline/device_engine.h"
 
 #include "ops/reached_zones.h"
+#include "pipeline/device_memory.h"
+#include "zonegrid/errors.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
 namespace zonegrid {
 
-DeviceEngine::DeviceEngine(const MapperOptions& options, const Window& window)
-    : window_(window),
-      device_(device::open_device(options.backend)),
+namespace {
+
+device::DeviceOptions device_options(const MapperOptions& options) {
+    device::DeviceOptions chosen;
+    chosen.memory_limit_bytes = options.device_memory_bytes;
+    return chosen;
+}
+
+double megabytes(std::uint64_t bytes) {
+    return static_cast<double>(bytes) / (1U << 20U);
+}
+
+} // namespace
+
+template <class Step>
+auto DeviceEngine::take_memory(const Step& step) const {
+    try {
+        return step();
+    } catch (const CapacityError& error) {
+        const auto pixels = camera_ ? static_cast<std::uint64_t>(camera_->width_px) *
+                                          static_cast<std::uint64_t>(camera_->height_px)
+                                    : 0;
+        // Without a limit, what the driver gave so far is what there is.
+        const auto available = options_.device_memory_bytes != 0 ? options_.device_memory_bytes
+                                                                 : device_->held_bytes();
+        const auto range_m = longest_range_m(options_, camera_, available);
+        throw CapacityError(fmt::format(
+            "{}; {:.1f} MB surely hold {} of {:g} m cells, {:.1f} MB hold the range of {:g} m: "
+            "choose a shorter range or larger cells, or let it take more memory",
+            error.what(), megabytes(available),
+            range_m ? fmt::format("a range of {:g} m", *range_m) : "no range", options_.cell_m,
+            megabytes(device_bytes_at_most(window_, pixels)), options_.range_m));
+    }
+}
+
+DeviceEngine::DeviceEngine(const MapperOptions& options, const std::optional<Camera>& camera,
+                           const Window& window)
+    : options_(options),
+      camera_(camera),
+      window_(window),
+      device_(device::open_device(options.backend, device_options(options))),
       grid_(*device_, options.zone),
-      local_map_(*device_, window),
+      local_map_(take_memory([&] { return ops::DeviceLocalMap(*device_, window); })),
       integrate_image_(*device_),
       integrate_scan_(*device_),
       fuse_local_map_(*device_, options.zone, FusionRule(options)),
@@ -35,39 +77,62 @@ void DeviceEngine::move_to(const Window& window,
 }
 
 void DeviceEngine::draw_objects(const ZoneIndex& zone, std::span<const CellIndex> cells) {
-    const Slot slot = grid_.take();
+    const Slot slot = take_memory([&] { return grid_.take(); });
     auto& chunk = grid_.chunk(slot.chunk);
-    draw_objects_.dispatch(cells, slot.index, chunk.cells, chunk.occupied_planes);
+    try {
+        take_memory(
+            [&] { draw_objects_.dispatch(cells, slot.index, chunk.cells, chunk.occupied_planes); });
+    } catch (const CapacityError&) {
+        grid_.give_back(slot);
+        throw;
+    }
     slots_.emplace(window_.place_of(zone), slot);
     note_held();
 }
 
 void DeviceEngine::integrate_image(const ImageRays& rays) {
     reserve(ops::reached_zones(rays, window_));
-    integrate_image_.dispatch(rays, local_map_);
+    take_memory([&] { integrate_image_.dispatch(rays, local_map_); });
     local_map_.check();
 }
 
 void DeviceEngine::integrate_scan(const ScanRays& scan) {
     reserve(ops::reached_zones(scan, window_));
-    integrate_scan_.dispatch(scan, local_map_);
+    take_memory([&] { integrate_scan_.dispatch(scan, local_map_); });
     local_map_.check();
 }
 
 void DeviceEngine::reserve(std::vector<std::uint32_t> places) {
     reserved_ = std::move(places);
-    local_map_.reserve(reserved_);
+    take_memory([&] { local_map_.reserve(reserved_); });
+}
+
+void DeviceEngine::take_slots() {
+    std::vector<std::uint32_t> taken;
+    try {
+        take_memory([&] {
+            for (const auto place : reserved_) {
+                if (!slots_.contains(place)) {
+                    slots_.emplace(place, grid_.take());
+                    taken.push_back(place);
+                }
+            }
+            fuse_local_map_.reserve(reserved_.size());
+        });
+    } catch (const CapacityError&) {
+        for (const auto place : taken) {
+            grid_.give_back(slots_.at(place));
+            slots_.erase(place);
+        }
+        throw;
+    }
 }
 
 FusionResult DeviceEngine::fuse_local_map() {
-    std::vector<std::vector<std::size_t>> by_chunk;
+    take_slots(); // all memory that fusion needs, before it changes a cell
+    std::vector<std::vector<std::size_t>> by_chunk(grid_.chunk_count());
     for (std::size_t i = 0; i < reserved_.size(); ++i) {
-        auto found = slots_.find(reserved_[i]);
-        if (found == slots_.end()) {
-            found = slots_.emplace(reserved_[i], grid_.take()).first;
-        }
-        by_chunk.resize(grid_.chunk_count());
-        by_chunk[found->second.chunk].push_back(i);
+        by_chunk[slots_.at(reserved_[i]).chunk].push_back(i);
     }
     FusionResult result;
     for (std::uint32_t chunk = 0; chunk < by_chunk.size(); ++chunk) {

@@ -9,6 +9,7 @@
 #include "pipeline/grid_engine.h"
 
 #include <map>
+#include <optional>
 #include <string>
 
 namespace zonegrid {
@@ -17,7 +18,8 @@ namespace zonegrid {
 class DeviceEngine : public GridEngine {
 public:
     /// Throws DeviceError if the device that `options.backend` names is missing or refused.
-    DeviceEngine(const MapperOptions& options, const Window& window);
+    DeviceEngine(const MapperOptions& options, const std::optional<Camera>& camera,
+                 const Window& window);
 
     void move_to(const Window& window,
                  const std::function<void(const ZoneIndex&, const ZoneBits&)>& leave) override;
@@ -35,11 +37,18 @@ private:
 
     [[nodiscard]] ZoneBits occupied_in(const Slot& slot);
     void reserve(std::vector<std::uint32_t> places);
+    /// Takes slots in the grid for the reserved zones.
+    void take_slots();
     /// Adds the reserved zones with these indices, whose slots lie in one chunk, to the grid.
     void fuse_chunk(std::uint32_t chunk, std::span<const std::size_t> reserved,
                     FusionResult& result);
     void note_held();
+    /// Does a step that takes memory. Where that is refused, the error says what would fit.
+    template <class Step>
+    auto take_memory(const Step& step) const;
 
+    MapperOptions options_;
+    std::optional<Camera> camera_;
     Window window_;
     std::unique_ptr<device::Device> device_;
     ops::DeviceGrid grid_;

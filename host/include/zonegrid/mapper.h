@@ -66,7 +66,10 @@ public:
     void add_navigation(const NavigationSample& sample);
 
     /// Integrates and fuses one depth image of the camera's size.
-    /// Throws UsageError if there is no camera or the size differs.
+    /// Throws UsageError if there is no camera or the size differs. On a device also CapacityError
+    /// if it has no memory for the image, which is dropped: cells stay as they were, and the next
+    /// image may fit; and DeviceError if the device fails: then the map has ended, and calls throw
+    /// UsageError.
     ImageResult add_image(const DepthImage& image);
 
     /// Integrates and fuses one scan (always with the `line` model).
