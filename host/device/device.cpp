@@ -91,9 +91,8 @@ void require_spec(const KernelSpec& spec, const DeviceInfo& info) {
             fmt::format("kernel {} has {} bytes of params: at most {}, a multiple of 4", kernel,
                         spec.params_bytes, max_params_bytes));
     }
-    if (spec.group_items == 0 || spec.group_items > info.limits.group_items) {
-        throw UsageError(fmt::format("kernel {} has work-groups of {} items: {} takes 1 to {}",
-                                     kernel, spec.group_items, info.id(), info.limits.group_items));
+    if (spec.group_items == 0) {
+        throw UsageError(fmt::format("kernel {} has work-groups of 0 items: ask for 1", kernel));
     }
     if (spec.buffers > info.limits.kernel_buffers) {
         throw CapacityError(fmt::format("kernel {} takes {} buffers: {} allows {}", kernel,
@@ -173,7 +172,10 @@ Kernel Device::make_kernel(const KernelSpec& spec) {
 
 Kernel Device::make_kernel(const KernelSpec& spec, const KernelCode& code) {
     require_spec(spec, info_);
-    return {this, spec, do_make_kernel(spec, code)};
+    KernelSpec made = spec;
+    made.group_items = std::min(spec.group_items, info_.limits.group_items);
+    auto program = do_make_kernel(made, code);
+    return {this, std::move(made), std::move(program)};
 }
 
 void Device::upload(Buffer& buffer, std::uint64_t offset, std::span<const std::byte> bytes) {

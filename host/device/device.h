@@ -90,6 +90,8 @@ struct KernelSpec {
     std::string entry;        ///< name of the kernel in the file
     std::uint32_t buffers;    ///< how many
     std::size_t params_bytes; ///< 0 .. max_params_bytes, a multiple of 4
+    /// Most of a work-group. The kernel that is made tells how many it got: a device may allow
+    /// fewer, and some allow fewer to a kernel than they say of themselves.
     std::uint32_t group_items = default_group_items;
 };
 
@@ -190,7 +192,8 @@ protected:
 
 private:
     virtual std::unique_ptr<Buffer::Memory> do_make_buffer(std::uint64_t bytes) = 0;
-    virtual std::unique_ptr<Kernel::Program> do_make_kernel(const KernelSpec& spec,
+    /// May lower `spec.group_items`.
+    virtual std::unique_ptr<Kernel::Program> do_make_kernel(KernelSpec& spec,
                                                             const KernelCode& code) = 0;
     virtual void do_upload(Buffer& buffer, std::uint64_t offset,
                            std::span<const std::byte> bytes) = 0;

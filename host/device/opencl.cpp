@@ -76,22 +76,26 @@ private:
         return std::make_unique<OpenClMemory>(std::move(memory));
     }
 
-    std::unique_ptr<Kernel::Program> do_make_kernel(const KernelSpec& spec,
+    std::unique_ptr<Kernel::Program> do_make_kernel(KernelSpec& spec,
                                                     const KernelCode& code) override {
-        auto made = compiler_->make(spec, code);
-        std::size_t most_items = 0;
-        check(api_.get_kernel_work_group_info(made.kernel.get(), device_, CL_KERNEL_WORK_GROUP_SIZE,
-                                              sizeof(most_items), &most_items, nullptr),
-              "clGetKernelWorkGroupInfo");
-        if (most_items < spec.group_items) {
-            throw DeviceError(
-                info().id(),
-                fmt::format("kernel {}.{} runs in work-groups of at most {} items here, "
-                            "not {}",
-                            spec.operation, spec.entry, most_items, spec.group_items),
-                "choose smaller work-groups");
+        while (true) {
+            auto made = compiler_->make(spec, code);
+            std::size_t most_items = 0;
+            check(api_.get_kernel_work_group_info(made.kernel.get(), device_,
+                                                  CL_KERNEL_WORK_GROUP_SIZE, sizeof(most_items),
+                                                  &most_items, nullptr),
+                  "clGetKernelWorkGroupInfo");
+            if (most_items >= spec.group_items) {
+                return std::make_unique<OpenClProgram>(std::move(made));
+            }
+            if (most_items == 0) {
+                throw DeviceError(info().id(),
+                                  fmt::format("kernel {}.{} fits into no work-group here",
+                                              spec.operation, spec.entry),
+                                  "choose another device");
+            }
+            spec.group_items = static_cast<std::uint32_t>(most_items); // less each time: it ends
         }
-        return std::make_unique<OpenClProgram>(std::move(made));
     }
 
     void do_upload(Buffer& buffer, std::uint64_t offset,

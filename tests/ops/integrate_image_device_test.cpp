@@ -2,6 +2,7 @@
 
 #include "ops/reached_zones.h"
 #include "reference/integrate_image.h"
+#include "support/case_count.h"
 #include "support/device_statements.h"
 #include "support/each_device.h"
 #include "support/oracle_scenes.h"
@@ -133,7 +134,7 @@ TEST_P(IntegrateImageOn, EqualsTheReference) {
         IntegrateImage narrow(*device, 32);
         std::uint64_t compared = 0;
         std::uint64_t stated = 0;
-        for (std::uint64_t seed = 1; seed <= cases; ++seed, ++compared) {
+        for (std::uint64_t seed = 1; seed <= case_count(cases); ++seed, ++compared) {
             const ImagePair pair = random_pair(seed);
             const auto expected = pair.by_reference();
             ASSERT_EQ(oracle::difference(expected,
@@ -142,23 +143,24 @@ TEST_P(IntegrateImageOn, EqualsTheReference) {
                 << "seed " << seed;
             stated += expected.size();
         }
-        EXPECT_EQ(compared, cases);
-        EXPECT_GT(stated, 500000U);
+        EXPECT_EQ(compared, case_count(cases));
+        EXPECT_TRUE(stated > 500000U || !runs_all(cases)) << stated;
     });
 }
 
 TEST_P(IntegrateImageOn, EqualsTheReferenceWhereCellsAreFilled) {
     for_each_device([](const std::unique_ptr<Device>& device) {
+        constexpr std::uint64_t cases = 400;
         IntegrateImage operation(*device);
         std::uint64_t stated = 0;
-        for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+        for (std::uint64_t seed = 1; seed <= case_count(cases); ++seed) {
             const ImagePair pair = surface_pair(seed);
             const auto expected = pair.by_reference();
             ASSERT_EQ(oracle::difference(expected, pair.by_device(*device, operation), 8), "")
                 << "seed " << seed;
             stated += expected.size();
         }
-        EXPECT_GT(stated, 3000000U);
+        EXPECT_TRUE(stated > 3000000U || !runs_all(cases)) << stated;
     });
 }
 

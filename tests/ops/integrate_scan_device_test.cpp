@@ -2,6 +2,7 @@
 
 #include "ops/reached_zones.h"
 #include "reference/integrate_scan.h"
+#include "support/case_count.h"
 #include "support/device_statements.h"
 #include "support/each_device.h"
 #include "support/oracle_random.h"
@@ -76,7 +77,7 @@ TEST_P(IntegrateScanOn, EqualsTheReference) {
         ops::IntegrateScan operation(*device);
         std::uint64_t compared = 0;
         std::uint64_t stated = 0;
-        for (std::uint64_t seed = 1; seed <= cases; ++seed, ++compared) {
+        for (std::uint64_t seed = 1; seed <= case_count(cases); ++seed, ++compared) {
             Random random(seed);
             const Window window = random_window(random);
             const ScanRays scan = random_rays(random, window);
@@ -93,8 +94,8 @@ TEST_P(IntegrateScanOn, EqualsTheReference) {
                 << "seed " << seed;
             stated += actual.size();
         }
-        EXPECT_EQ(compared, cases);
-        EXPECT_GT(stated, 300000U);
+        EXPECT_EQ(compared, case_count(cases));
+        EXPECT_TRUE(stated > 300000U || !runs_all(cases)) << stated;
     });
 }
 

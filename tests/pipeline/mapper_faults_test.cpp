@@ -1,4 +1,5 @@
 #include "pipeline/device_memory.h"
+#include "support/case_count.h"
 #include "support/each_device.h"
 #include "support/environment.h"
 #include "support/oracle_random.h"
@@ -90,10 +91,11 @@ TEST_P(MapperFaultsOn, SayLimitAndRangeThatFits) {
 }
 
 TEST_P(MapperFaultsOn, LeaveTheMapAsItWasWhereMemoryIsRefused) {
+    constexpr std::uint64_t flights = 40;
     for (const auto& info : devices()) {
         std::uint64_t refused = 0;
         std::uint64_t compared_after_a_refusal = 0;
-        for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        for (std::uint64_t seed = 1; seed <= case_count(flights); ++seed) {
             SCOPED_TRACE(describe(info) + ", seed " + std::to_string(seed));
             Random random(seed);
             auto options = on(info.id());
@@ -132,8 +134,9 @@ TEST_P(MapperFaultsOn, LeaveTheMapAsItWasWhereMemoryIsRefused) {
                 compared_after_a_refusal += any ? 1U : 0U;
             }
         }
-        EXPECT_GT(refused, 40U) << compared_after_a_refusal;
-        EXPECT_GT(compared_after_a_refusal, 40U);
+        EXPECT_TRUE(refused > 40U || !runs_all(flights)) << refused;
+        EXPECT_TRUE(compared_after_a_refusal > 40U || !runs_all(flights))
+            << compared_after_a_refusal;
     }
 }
 
