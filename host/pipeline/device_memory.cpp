@@ -13,7 +13,7 @@ std::uint64_t device_bytes_at_most(const Window& window, std::uint64_t pixels) {
     const std::uint64_t tables = 2 * sizeof(std::uint32_t) * zones;
     const std::uint64_t local_map = 2 * (zones + 1) * layout.local_bytes(); // doubled as it grows
     const std::uint64_t grid = zones * (layout.grid_bytes() + layout.plane_bytes());
-    const std::uint64_t fusion = 2 * (2 + 3) * sizeof(std::uint32_t) * zones;
+    const std::uint64_t fusion = zones * sizeof(std::uint32_t) * 2 * 5; // doubled: pair, change
     const std::uint64_t remembered = layout.zone_cells * sizeof(std::uint32_t);
     // Depths 8, directions 12, windows at most 10, skips less than 1.
     constexpr std::uint64_t pixel_bytes = 32;
