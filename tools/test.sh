@@ -7,10 +7,11 @@ usage() {
     cat <<'END'
 usage: tools/test.sh [--quick | --all] [--long] [--tidy | --tidy-all] [--no-install]
 Installs the Debian packages that are missing, then builds with warnings as errors and runs the
-tests; builds and runs those of the model, the operations and the pipeline again with the address and
-undefined-behaviour sanitizers; checks the formatting and the scripts.
+tests; runs Vulkan's under its validation layer; builds and runs those of the model, the operations and
+the pipeline again with the address and undefined-behaviour sanitizers; checks the formatting and the scripts.
   --quick        build and test only, without sanitizers and checks of the sources
-  --all          every test with those sanitizers, and the pipeline's with the thread sanitizer
+  --all          every test with those sanitizers, and the pipeline's with the thread sanitizer; every
+                 case of Vulkan's; OpenCL's kernels, a few cases each, in the simulator oclgrind
   --long         fifty times as many generated cases on devices: 100,000 images each, half an hour
   --tidy         run clang-tidy too, over what decides cells: some ten minutes
   --tidy-all     the same over all of host/ and tools/: about an hour
@@ -156,6 +157,13 @@ if [[ $quick == no ]]; then
 fi
 build_and_test ci
 if [[ $quick == no ]]; then
+    if [[ $all == yes ]]; then
+        stage "use of Vulkan, all" tools/check_vulkan_use.sh build/ci --all
+        stage "OpenCL in oclgrind" tools/check_opencl_kernels.sh build/ci
+    else
+        stage "use of Vulkan" tools/check_vulkan_use.sh build/ci
+        omit "OpenCL in oclgrind" "give --all"
+    fi
     if [[ $tidy == yes ]]; then
         stage "clang-tidy" check_tidy
     else

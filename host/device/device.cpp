@@ -7,9 +7,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+#include <utility>
+
 namespace zonegrid::device {
 
 namespace {
+
+double megabytes(std::uint64_t bytes) {
+    return static_cast<double>(bytes) / (1U << 20U);
+}
 
 void require_range(const Buffer& buffer, std::uint64_t offset, std::uint64_t bytes) {
     if (offset > buffer.bytes() || bytes > buffer.bytes() - offset) {
@@ -34,9 +42,8 @@ void require_spec(const KernelSpec& spec, const DeviceInfo& info) {
             fmt::format("kernel {} has {} bytes of params: at most {}, a multiple of 4", kernel,
                         spec.params_bytes, max_params_bytes));
     }
-    if (spec.group_items == 0 || spec.group_items > info.limits.group_items) {
-        throw UsageError(fmt::format("kernel {} has work-groups of {} items: {} takes 1 to {}",
-                                     kernel, spec.group_items, info.id(), info.limits.group_items));
+    if (spec.group_items == 0) {
+        throw UsageError(fmt::format("kernel {} has work-groups of 0 items: ask for 1", kernel));
     }
     if (spec.buffers > info.limits.kernel_buffers) {
         throw CapacityError(fmt::format("kernel {} takes {} buffers: {} allows {}", kernel,
@@ -64,7 +71,23 @@ Buffer Device::make_buffer(std::uint64_t bytes) {
         throw CapacityError(fmt::format("a buffer of {} bytes was asked for: {} ({}) allows {}",
                                         bytes, info_.id(), info_.name, info_.limits.buffer_bytes));
     }
-    return {this, bytes, do_make_buffer(bytes)};
+    if (bytes > spare_bytes()) {
+        throw CapacityError(
+            fmt::format("{} ({}) has no room for a buffer of {:.1f} MB: {:.1f} MB of its limit of "
+                        "{:.1f} MB are taken",
+                        info_.id(), info_.name, megabytes(bytes), megabytes(held_bytes_),
+                        megabytes(options_.memory_limit_bytes)));
+    }
+    auto memory = do_make_buffer(bytes);
+    held_bytes_ += bytes;
+    return {this, bytes, Buffer::Share(&held_bytes_, {bytes}), std::move(memory)};
+}
+
+std::uint64_t Device::spare_bytes() const {
+    const auto limit = options_.memory_limit_bytes;
+    return limit == 0            ? std::numeric_limits<std::uint64_t>::max()
+           : limit > held_bytes_ ? limit - held_bytes_
+                                 : 0;
 }
 
 Kernel Device::make_kernel(const KernelSpec& spec) {
@@ -73,7 +96,10 @@ Kernel Device::make_kernel(const KernelSpec& spec) {
 
 Kernel Device::make_kernel(const KernelSpec& spec, const KernelCode& code) {
     require_spec(spec, info_);
-    return {this, spec, do_make_kernel(spec, code)};
+    KernelSpec made = spec;
+    made.group_items = std::min(spec.group_items, info_.limits.group_items);
+    auto program = do_make_kernel(made, code);
+    return {this, std::move(made), std::move(program)};
 }
 
 void Device::upload(Buffer& buffer, std::uint64_t offset, std::span<const std::byte> bytes) {

@@ -62,8 +62,15 @@ public:
         virtual ~Memory() = default;
     };
 
-    Buffer(const void* owner, std::uint64_t bytes, std::unique_ptr<Memory> memory)
-        : owner_(owner), bytes_(bytes), memory_(std::move(memory)) {}
+    /// What counts the bytes of a device's buffers: takes these off when the buffer goes.
+    struct TakeOff {
+        std::uint64_t bytes = 0;
+        void operator()(std::uint64_t* held) const { *held -= bytes; }
+    };
+    using Share = std::unique_ptr<std::uint64_t, TakeOff>;
+
+    Buffer(const void* owner, std::uint64_t bytes, Share share, std::unique_ptr<Memory> memory)
+        : owner_(owner), bytes_(bytes), share_(std::move(share)), memory_(std::move(memory)) {}
 
     [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
     [[nodiscard]] const void* owner() const { return owner_; }
@@ -72,6 +79,7 @@ public:
 private:
     const void* owner_;
     std::uint64_t bytes_;
+    Share share_; ///< outlives the memory
     std::unique_ptr<Memory> memory_;
 };
 
@@ -82,6 +90,8 @@ struct KernelSpec {
     std::string entry;        ///< name of the kernel in the file
     std::uint32_t buffers;    ///< how many
     std::size_t params_bytes; ///< 0 .. max_params_bytes, a multiple of 4
+    /// Most of a work-group. The kernel that is made tells how many it got: a device may allow
+    /// fewer, and some allow fewer to a kernel than they say of themselves.
     std::uint32_t group_items = default_group_items;
 };
 
@@ -125,6 +135,8 @@ struct DispatchTime {
 struct DeviceOptions {
     bool timestamps = false;    ///< time every dispatch
     bool unified_memory = true; ///< false: copy as if the device had its own memory, for tests
+    /// Most that its buffers hold together, so that others can use the device too; 0: no limit.
+    std::uint64_t memory_limit_bytes = 0;
 };
 
 /// A device with one queue. What is asked of it runs in the order in which it was asked, and each
@@ -139,8 +151,14 @@ public:
 
     [[nodiscard]] const DeviceInfo& info() const { return info_; }
 
-    /// Contents are undefined. Throws CapacityError beyond `limits.buffer_bytes`.
+    /// Contents are undefined. Throws CapacityError beyond `limits.buffer_bytes`, beyond
+    /// `DeviceOptions::memory_limit_bytes`, and where the driver has no more memory. Some drivers
+    /// take memory only when it is used: then a later call throws DeviceError.
     [[nodiscard]] Buffer make_buffer(std::uint64_t bytes);
+
+    /// What the buffers hold that are alive, and what may be added to it.
+    [[nodiscard]] std::uint64_t held_bytes() const { return held_bytes_; }
+    [[nodiscard]] std::uint64_t spare_bytes() const;
 
     /// Builds a kernel that is embedded in the library.
     [[nodiscard]] Kernel make_kernel(const KernelSpec& spec);
@@ -174,7 +192,8 @@ protected:
 
 private:
     virtual std::unique_ptr<Buffer::Memory> do_make_buffer(std::uint64_t bytes) = 0;
-    virtual std::unique_ptr<Kernel::Program> do_make_kernel(const KernelSpec& spec,
+    /// May lower `spec.group_items`.
+    virtual std::unique_ptr<Kernel::Program> do_make_kernel(KernelSpec& spec,
                                                             const KernelCode& code) = 0;
     virtual void do_upload(Buffer& buffer, std::uint64_t offset,
                            std::span<const std::byte> bytes) = 0;
@@ -189,6 +208,7 @@ private:
 
     DeviceInfo info_;
     DeviceOptions options_;
+    std::uint64_t held_bytes_ = 0;
 };
 
 /// Opens a device by name: "opencl:1", or "vulkan" for the first usable one of a backend.

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 // The kernels that cmake/embed_kernels.cmake puts into the library.
@@ -26,5 +27,10 @@ struct EmbeddedShader {
 
 /// Throws UsageError if the library has no such kernel.
 [[nodiscard]] KernelCode embedded_code(std::string_view operation, std::string_view entry);
+
+/// The source without the kernels of other entries, line for line: so that a driver compiles, and
+/// the cache keeps, what runs and nothing else. Each begins with a line `__kernel ... void NAME(`
+/// and ends with the first line `}` after that.
+[[nodiscard]] std::string only_entry(std::string_view source, std::string_view entry);
 
 } // namespace zonegrid::device

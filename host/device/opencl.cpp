@@ -1,10 +1,12 @@
 #include "device/backends.h"
 #include "device/opencl_api.h"
+#include "device/opencl_compiler.h"
 #include "device/opencl_devices.h"
 #include "zonegrid/errors.h"
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,14 +27,12 @@ private:
 
 class OpenClProgram : public Kernel::Program {
 public:
-    OpenClProgram(OpenClHandle<cl_program> program, OpenClHandle<cl_kernel> kernel)
-        : program_(std::move(program)), kernel_(std::move(kernel)) {}
+    explicit OpenClProgram(OpenClKernel made) : made_(std::move(made)) {}
 
-    [[nodiscard]] cl_kernel kernel() const { return kernel_.get(); }
+    [[nodiscard]] cl_kernel kernel() const { return made_.kernel.get(); }
 
 private:
-    OpenClHandle<cl_program> program_;
-    OpenClHandle<cl_kernel> kernel_;
+    OpenClKernel made_;
 };
 
 cl_mem memory_of(const Buffer& buffer) {
@@ -54,6 +54,7 @@ public:
         queue_.reset(api_.create_queue(context_.get(), device_,
                                        chosen.timestamps ? CL_QUEUE_PROFILING_ENABLE : 0, &code));
         check(code, "clCreateCommandQueue");
+        compiler_.emplace(api_, this->info(), device_, context_.get());
     }
 
 private:
@@ -71,66 +72,30 @@ private:
         cl_int code = CL_SUCCESS;
         OpenClHandle<cl_mem> memory(
             api_.create_buffer(context_.get(), flags, bytes, nullptr, &code), api_.release_memory);
-        check(code, "clCreateBuffer");
+        check_opencl_memory(code, "clCreateBuffer", info().id());
         return std::make_unique<OpenClMemory>(std::move(memory));
     }
 
-    std::unique_ptr<Kernel::Program> do_make_kernel(const KernelSpec& spec,
+    std::unique_ptr<Kernel::Program> do_make_kernel(KernelSpec& spec,
                                                     const KernelCode& code) override {
-        auto program = build(spec, code);
-        cl_int result = CL_SUCCESS;
-        OpenClHandle<cl_kernel> kernel(
-            api_.create_kernel(program.get(), spec.entry.c_str(), &result), api_.release_kernel);
-        check(result, "clCreateKernel");
-        std::size_t most_items = 0;
-        check(api_.get_kernel_work_group_info(kernel.get(), device_, CL_KERNEL_WORK_GROUP_SIZE,
-                                              sizeof(most_items), &most_items, nullptr),
-              "clGetKernelWorkGroupInfo");
-        if (most_items < spec.group_items) {
-            throw DeviceError(
-                info().id(),
-                fmt::format("kernel {}.{} runs in work-groups of at most {} items here, "
-                            "not {}",
-                            spec.operation, spec.entry, most_items, spec.group_items),
-                "choose smaller work-groups");
+        while (true) {
+            auto made = compiler_->make(spec, code);
+            std::size_t most_items = 0;
+            check(api_.get_kernel_work_group_info(made.kernel.get(), device_,
+                                                  CL_KERNEL_WORK_GROUP_SIZE, sizeof(most_items),
+                                                  &most_items, nullptr),
+                  "clGetKernelWorkGroupInfo");
+            if (most_items >= spec.group_items) {
+                return std::make_unique<OpenClProgram>(std::move(made));
+            }
+            if (most_items == 0) {
+                throw DeviceError(info().id(),
+                                  fmt::format("kernel {}.{} fits into no work-group here",
+                                              spec.operation, spec.entry),
+                                  "choose another device");
+            }
+            spec.group_items = static_cast<std::uint32_t>(most_items); // less each time: it ends
         }
-        return std::make_unique<OpenClProgram>(std::move(program), std::move(kernel));
-    }
-
-    OpenClHandle<cl_program> build(const KernelSpec& spec, const KernelCode& code) {
-        const char* text = code.opencl_source.data();
-        const std::size_t length = code.opencl_source.size();
-        cl_int result = CL_SUCCESS;
-        OpenClHandle<cl_program> program(
-            api_.create_program(context_.get(), 1, &text, &length, &result), api_.release_program);
-        check(result, "clCreateProgramWithSource");
-        const auto flags = fmt::format("-cl-std=CL1.2 -D ZG_GROUP_ITEMS={}", spec.group_items);
-        result = api_.build_program(program.get(), 1, &device_, flags.c_str(), nullptr, nullptr);
-        if (result != CL_SUCCESS) {
-            throw DeviceError(
-                info().id(),
-                fmt::format(
-                    "clBuildProgram failed with {} for kernels/{}.cl on {} ({}), its log: {}",
-                    opencl_code_name(result), spec.operation, info().name, info().driver,
-                    build_log(program.get())),
-                "correct the kernel, or look for a newer driver");
-        }
-        return program;
-    }
-
-    std::string build_log(cl_program program) {
-        std::size_t size = 0;
-        if (api_.get_build_info(program, device_, CL_PROGRAM_BUILD_LOG, 0, nullptr, &size) !=
-                CL_SUCCESS ||
-            size == 0) {
-            return "none";
-        }
-        std::string log(size, '\0');
-        if (api_.get_build_info(program, device_, CL_PROGRAM_BUILD_LOG, size, log.data(),
-                                nullptr) != CL_SUCCESS) {
-            return "none";
-        }
-        return opencl_text(std::move(log));
     }
 
     void do_upload(Buffer& buffer, std::uint64_t offset,
@@ -205,6 +170,7 @@ private:
     cl_device_id device_ = nullptr;
     OpenClHandle<cl_context> context_{nullptr, api_.release_context};
     OpenClHandle<cl_command_queue> queue_{nullptr, api_.release_queue};
+    std::optional<OpenClCompiler> compiler_;
     std::vector<TimedDispatch> timed_;
 };
 

@@ -75,6 +75,27 @@ std::string opencl_code_name(cl_int code) {
     }
 }
 
+namespace {
+
+bool is_memory_code(cl_int code) {
+    return code == CL_MEM_OBJECT_ALLOCATION_FAILURE || code == CL_OUT_OF_RESOURCES ||
+           code == CL_OUT_OF_HOST_MEMORY;
+}
+
+const char* remedy_for(cl_int code) {
+    if (code == CL_OUT_OF_RESOURCES) {
+        // Drivers say so of memory, of a kernel that they stopped, and of a device that is gone.
+        return "if it is out of memory, take larger cells, a shorter range or a device with more; "
+               "if "
+               "it was reset or a kernel was stopped, which the system's log tells, start a new "
+               "map";
+    }
+    return is_memory_code(code) ? "take larger cells, a shorter range or a device with more memory"
+                                : "look for a newer driver or choose another device";
+}
+
+} // namespace
+
 std::string opencl_text(std::string buffer) {
     buffer.erase(std::min(buffer.find('\0'), buffer.size()));
     return buffer;
@@ -84,11 +105,16 @@ void check_opencl(cl_int code, const char* call, const std::string& device) {
     if (code == CL_SUCCESS) {
         return;
     }
-    const bool memory = code == CL_MEM_OBJECT_ALLOCATION_FAILURE || code == CL_OUT_OF_RESOURCES ||
-                        code == CL_OUT_OF_HOST_MEMORY;
     throw DeviceError(device, fmt::format("{} failed with {}", call, opencl_code_name(code)),
-                      memory ? "take larger cells, a shorter range or a device with more memory"
-                             : "look for a newer driver or choose another device");
+                      remedy_for(code));
+}
+
+void check_opencl_memory(cl_int code, const char* call, const std::string& device) {
+    if (is_memory_code(code)) {
+        throw CapacityError(fmt::format("{} has no more memory: {} failed with {}", device, call,
+                                        opencl_code_name(code)));
+    }
+    check_opencl(code, call, device);
 }
 
 } // namespace zonegrid::device

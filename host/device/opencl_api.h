@@ -29,8 +29,11 @@ public:
     decltype(&clReleaseMemObject) release_memory = library_.find("clReleaseMemObject");
     decltype(&clCreateProgramWithSource) create_program =
         library_.find("clCreateProgramWithSource");
+    decltype(&clCreateProgramWithBinary) create_program_with_binary =
+        library_.find("clCreateProgramWithBinary");
     decltype(&clBuildProgram) build_program = library_.find("clBuildProgram");
     decltype(&clGetProgramBuildInfo) get_build_info = library_.find("clGetProgramBuildInfo");
+    decltype(&clGetProgramInfo) get_program_info = library_.find("clGetProgramInfo");
     decltype(&clReleaseProgram) release_program = library_.find("clReleaseProgram");
     decltype(&clCreateKernel) create_kernel = library_.find("clCreateKernel");
     decltype(&clGetKernelWorkGroupInfo) get_kernel_work_group_info =
@@ -58,5 +61,8 @@ using OpenClHandle = std::unique_ptr<std::remove_pointer_t<Object>, cl_int (*)(O
 
 /// Throws DeviceError if `code`, which `call` returned, is a failure.
 void check_opencl(cl_int code, const char* call, const std::string& device);
+
+/// The same for calls that take memory: throws CapacityError if there is none left.
+void check_opencl_memory(cl_int code, const char* call, const std::string& device);
 
 } // namespace zonegrid::device

@@ -160,6 +160,19 @@ OpenClDevices find_opencl_devices(const OpenClApi& api) {
     return found;
 }
 
+std::vector<std::string> opencl_identity(const OpenClApi& api, cl_device_id device) {
+    auto* const platform = device_value<cl_platform_id>(api, device, CL_DEVICE_PLATFORM);
+    return {backend,
+            platform_text(api, platform, CL_PLATFORM_NAME),
+            platform_text(api, platform, CL_PLATFORM_VERSION),
+            device_text(api, device, CL_DEVICE_VENDOR),
+            device_text(api, device, CL_DEVICE_NAME),
+            device_text(api, device, CL_DEVICE_VERSION),
+            device_text(api, device, CL_DRIVER_VERSION),
+            std::to_string(device_value<cl_uint>(api, device, CL_DEVICE_VENDOR_ID)),
+            std::to_string(device_value<cl_uint>(api, device, CL_DEVICE_ADDRESS_BITS))};
+}
+
 DeviceList list_opencl_devices() {
     const OpenClApi api;
     return find_opencl_devices(api).list;

@@ -3,6 +3,7 @@
 #include "device/device.h"
 #include "device/opencl_api.h"
 
+#include <string>
 #include <vector>
 
 namespace zonegrid::device {
@@ -14,5 +15,8 @@ struct OpenClDevices {
 
 /// The devices of all platforms.
 [[nodiscard]] OpenClDevices find_opencl_devices(const OpenClApi& api);
+
+/// All texts that tell a device and its driver from others; a compiled kernel is for these alone.
+[[nodiscard]] std::vector<std::string> opencl_identity(const OpenClApi& api, cl_device_id device);
 
 } // namespace zonegrid::device

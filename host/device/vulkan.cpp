@@ -63,7 +63,7 @@ private:
         return std::make_unique<VulkanMemory>(queue_, context_, bytes, place_);
     }
 
-    std::unique_ptr<Kernel::Program> do_make_kernel(const KernelSpec& spec,
+    std::unique_ptr<Kernel::Program> do_make_kernel(KernelSpec& spec,
                                                     const KernelCode& code) override {
         return std::make_unique<VulkanProgram>(queue_, context_, spec, code);
     }

@@ -35,6 +35,21 @@ VkInstance make_instance(const VulkanLoader& loader) {
     return instance;
 }
 
+bool is_memory_code(VkResult code) {
+    return code == VK_ERROR_OUT_OF_HOST_MEMORY || code == VK_ERROR_OUT_OF_DEVICE_MEMORY ||
+           code == VK_ERROR_TOO_MANY_OBJECTS;
+}
+
+const char* remedy_for(VkResult code) {
+    if (code == VK_ERROR_DEVICE_LOST) {
+        return "the device was reset, removed, or stopped a shader that ran too long: start a new "
+               "map; if it is lost again, see the system's log, look for a newer driver or choose "
+               "another device";
+    }
+    return is_memory_code(code) ? "take larger cells, a shorter range or a device with more memory"
+                                : "look for a newer driver or choose another device";
+}
+
 } // namespace
 
 VulkanInstance::VulkanInstance() : instance_(make_instance(loader_)) {}
@@ -94,11 +109,16 @@ void check_vulkan(VkResult code, const char* call, const std::string& device) {
     if (code == VK_SUCCESS) {
         return;
     }
-    const bool memory = code == VK_ERROR_OUT_OF_HOST_MEMORY ||
-                        code == VK_ERROR_OUT_OF_DEVICE_MEMORY || code == VK_ERROR_TOO_MANY_OBJECTS;
     throw DeviceError(device, fmt::format("{} failed with {}", call, vulkan_code_name(code)),
-                      memory ? "take larger cells, a shorter range or a device with more memory"
-                             : "look for a newer driver or choose another device");
+                      remedy_for(code));
+}
+
+void check_vulkan_memory(VkResult code, const char* call, const std::string& device) {
+    if (is_memory_code(code)) {
+        throw CapacityError(fmt::format("{} has no more memory: {} failed with {}", device, call,
+                                        vulkan_code_name(code)));
+    }
+    check_vulkan(code, call, device);
 }
 
 } // namespace zonegrid::device

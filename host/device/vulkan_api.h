@@ -74,6 +74,9 @@ public:
     PFN_vkCreatePipelineLayout create_pipeline_layout = find("vkCreatePipelineLayout");
     PFN_vkDestroyPipelineLayout destroy_pipeline_layout = find("vkDestroyPipelineLayout");
     PFN_vkCreateComputePipelines create_pipelines = find("vkCreateComputePipelines");
+    PFN_vkCreatePipelineCache create_pipeline_cache = find("vkCreatePipelineCache");
+    PFN_vkGetPipelineCacheData get_pipeline_cache = find("vkGetPipelineCacheData");
+    PFN_vkDestroyPipelineCache destroy_pipeline_cache = find("vkDestroyPipelineCache");
     PFN_vkDestroyPipeline destroy_pipeline = find("vkDestroyPipeline");
 
     PFN_vkCreateCommandPool create_command_pool = find("vkCreateCommandPool");
@@ -113,5 +116,8 @@ public:
 
 /// Throws DeviceError if `code`, which `call` returned, is a failure.
 void check_vulkan(VkResult code, const char* call, const std::string& device);
+
+/// The same for calls that take memory: throws CapacityError if there is none left.
+void check_vulkan_memory(VkResult code, const char* call, const std::string& device);
 
 } // namespace zonegrid::device

@@ -2,6 +2,9 @@
 
 #include "zonegrid/errors.h"
 
+#include <array>
+#include <span>
+
 namespace zonegrid::device {
 
 namespace {
@@ -23,10 +26,15 @@ VulkanContext::VulkanContext(const DeviceInfo& info)
       family_(find_compute_family(instance_, physical_).value()),
       device_(open()),
       api_(instance_, device_) {
-    VkPhysicalDeviceProperties properties{};
-    instance_.get_properties(physical_, &properties);
-    limits_ = properties.limits;
+    instance_.get_properties(physical_, &properties_);
     instance_.get_memory_properties(physical_, &memory_);
+    const std::array numbers{properties_.apiVersion, properties_.driverVersion,
+                             properties_.vendorID, properties_.deviceID};
+    device_key_.add(info.backend)
+        .add(info.name)
+        .add(info.driver)
+        .add(std::as_bytes(std::span(numbers)))
+        .add(std::as_bytes(std::span(properties_.pipelineCacheUUID)));
 }
 
 VulkanContext::~VulkanContext() {

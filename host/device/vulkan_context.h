@@ -1,6 +1,7 @@
 #pragma once
 
 #include "device/device.h"
+#include "device/kernel_cache.h"
 #include "device/vulkan_api.h"
 #include "device/vulkan_devices.h"
 
@@ -18,11 +19,18 @@ public:
 
     [[nodiscard]] const VulkanApi& api() const { return api_; }
     [[nodiscard]] VkDevice device() const { return device_; }
-    [[nodiscard]] const VkPhysicalDeviceLimits& limits() const { return limits_; }
+    [[nodiscard]] const VkPhysicalDeviceProperties& properties() const { return properties_; }
+    [[nodiscard]] const VkPhysicalDeviceLimits& limits() const { return properties_.limits; }
     [[nodiscard]] const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
     [[nodiscard]] const VulkanQueueFamily& queue_family() const { return family_; }
+    [[nodiscard]] const KernelCache& kernel_cache() const { return kernel_cache_; }
+    /// Of the device and its driver; a compiled kernel is for these alone.
+    [[nodiscard]] const KernelKey& device_key() const { return device_key_; }
 
     void check(VkResult code, const char* call) const { check_vulkan(code, call, id_); }
+    void check_memory(VkResult code, const char* call) const {
+        check_vulkan_memory(code, call, id_);
+    }
 
 private:
     [[nodiscard]] VkDevice open() const;
@@ -31,10 +39,12 @@ private:
     VulkanInstance instance_;
     VkPhysicalDevice physical_;
     VulkanQueueFamily family_;
-    VkPhysicalDeviceLimits limits_{};
+    VkPhysicalDeviceProperties properties_{};
     VkPhysicalDeviceMemoryProperties memory_{};
     VkDevice device_;
     VulkanApi api_;
+    KernelCache kernel_cache_ = KernelCache::of_user();
+    KernelKey device_key_;
 };
 
 } // namespace zonegrid::device

@@ -31,14 +31,22 @@ VulkanBuffer::VulkanBuffer(const VulkanContext& context, std::uint64_t bytes, Vu
     info.size = bytes_;
     info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
                  VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-    context_.check(context_.api().create_buffer(context_.device(), &info, nullptr, &buffer_),
-                   "vkCreateBuffer");
+    check(context_.api().create_buffer(context_.device(), &info, nullptr, &buffer_),
+          "vkCreateBuffer", place);
     allocate(place);
 }
 
 VulkanBuffer::~VulkanBuffer() {
     context_.api().destroy_buffer(context_.device(), buffer_, nullptr);
     context_.api().free_memory(context_.device(), memory_, nullptr);
+}
+
+void VulkanBuffer::check(VkResult code, const char* call, VulkanPlace place) const {
+    if (place == VulkanPlace::staging) {
+        context_.check(code, call); // in the middle of work: not a buffer that somebody asked for
+    } else {
+        context_.check_memory(code, call);
+    }
 }
 
 void VulkanBuffer::allocate(VulkanPlace place) {
@@ -49,13 +57,13 @@ void VulkanBuffer::allocate(VulkanPlace place) {
     info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
     info.allocationSize = needs.size;
     info.memoryTypeIndex = choose_memory_type(context_, needs.memoryTypeBits, place);
-    context_.check(api.allocate_memory(context_.device(), &info, nullptr, &memory_),
-                   "vkAllocateMemory");
+    check(api.allocate_memory(context_.device(), &info, nullptr, &memory_), "vkAllocateMemory",
+          place);
     context_.check(api.bind_memory(context_.device(), buffer_, memory_, 0), "vkBindBufferMemory");
     if (place != VulkanPlace::device) {
         void* mapped = nullptr;
-        context_.check(api.map_memory(context_.device(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped),
-                       "vkMapMemory");
+        check(api.map_memory(context_.device(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped),
+              "vkMapMemory", place);
         mapped_ = static_cast<std::byte*>(mapped);
     }
 }

@@ -29,6 +29,7 @@ public:
 
 private:
     VulkanBuffer(const VulkanContext& context, std::uint64_t bytes);
+    void check(VkResult code, const char* call, VulkanPlace place) const;
     void allocate(VulkanPlace place);
 
     const VulkanContext& context_;

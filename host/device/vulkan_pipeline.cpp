@@ -1,5 +1,7 @@
 #include "device/vulkan_pipeline.h"
 
+#include "device/vulkan_pipeline_cache.h"
+
 #include <vector>
 
 namespace zonegrid::device {
@@ -10,7 +12,7 @@ VulkanPipeline::VulkanPipeline(const VulkanContext& context, const KernelSpec& s
     : VulkanPipeline(context) {
     make_layouts(spec);
     make_shader(code);
-    make_pipeline(spec);
+    make_pipeline(spec, code);
 }
 
 VulkanPipeline::~VulkanPipeline() {
@@ -58,7 +60,7 @@ void VulkanPipeline::make_shader(const KernelCode& code) {
                    "vkCreateShaderModule");
 }
 
-void VulkanPipeline::make_pipeline(const KernelSpec& spec) {
+void VulkanPipeline::make_pipeline(const KernelSpec& spec, const KernelCode& code) {
     // Specialization constant 0 of every shader is the number of items in a work-group.
     const VkSpecializationMapEntry group_items{0, 0, sizeof(spec.group_items)};
     const VkSpecializationInfo constants{1, &group_items, sizeof(spec.group_items),
@@ -71,9 +73,11 @@ void VulkanPipeline::make_pipeline(const KernelSpec& spec) {
     info.stage.pName = "main";
     info.stage.pSpecializationInfo = &constants;
     info.layout = layout_;
-    context_.check(context_.api().create_pipelines(context_.device(), VK_NULL_HANDLE, 1, &info,
+    const VulkanPipelineCache cache(context_, spec, code);
+    context_.check(context_.api().create_pipelines(context_.device(), cache.get(), 1, &info,
                                                    nullptr, &pipeline_),
                    "vkCreateComputePipelines");
+    cache.keep();
 }
 
 } // namespace zonegrid::device

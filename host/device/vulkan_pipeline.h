@@ -21,7 +21,7 @@ private:
     explicit VulkanPipeline(const VulkanContext& context) : context_(context) {}
     void make_layouts(const KernelSpec& spec);
     void make_shader(const KernelCode& code);
-    void make_pipeline(const KernelSpec& spec);
+    void make_pipeline(const KernelSpec& spec, const KernelCode& code);
 
     const VulkanContext& context_;
     VkDescriptorSetLayout set_layout_ = VK_NULL_HANDLE;

@@ -116,6 +116,7 @@ void VulkanQueue::open_batch() {
 }
 
 VkCommandBuffer VulkanQueue::next_command() {
+    context_.check(failure_, "vkQueueSubmit");
     if (open_ && slot_of(batch_).set_count == sets_per_batch) {
         submit();
     }
@@ -187,18 +188,23 @@ void VulkanQueue::submit() {
     const auto& api = context_.api();
     Batch& batch = slot_of(batch_);
     record_barrier(context_, batch.commands, VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT);
-    context_.check(api.end_commands(batch.commands), "vkEndCommandBuffer");
+    open_ = false; // even if it fails: commands end but once
+    failure_ = api.end_commands(batch.commands);
+    context_.check(failure_, "vkEndCommandBuffer");
     VkSubmitInfo info{};
     info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
     info.commandBufferCount = 1;
     info.pCommandBuffers = &batch.commands;
-    context_.check(api.submit(queue_, 1, &info, batch.fence), "vkQueueSubmit");
-    open_ = false;
+    failure_ = api.submit(queue_, 1, &info, batch.fence);
+    context_.check(failure_, "vkQueueSubmit");
 }
 
 void VulkanQueue::wait(std::uint64_t batch) {
     if (batch == batch_) {
         submit();
+    }
+    if (done_ < batch) {
+        context_.check(failure_, "vkQueueSubmit"); // its fence would never tell
     }
     while (done_ < batch) {
         Batch& next = slot_of(done_ + 1);

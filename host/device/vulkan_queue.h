@@ -80,7 +80,8 @@ private:
     std::array<Batch, 3> batches_; ///< one to record, one that runs, one to come
     std::uint64_t batch_ = 0;
     std::uint64_t done_ = 0;
-    bool open_ = false; ///< batch_ is being recorded; else it was submitted
+    bool open_ = false;             ///< batch_ is being recorded; else it was submitted
+    VkResult failure_ = VK_SUCCESS; ///< of the last submission; after one there are no others
     std::vector<std::unique_ptr<VulkanBuffer>> spare_staging_;
     std::vector<DispatchTime> times_;
 };

@@ -4,18 +4,14 @@
 
 namespace zonegrid::ops {
 
-namespace {
-
-/// Memory of a chunk's values: small enough not to waste much, large enough for few dispatches.
-constexpr std::uint64_t chunk_bytes = std::uint64_t{16} << 20U;
-
-} // namespace
-
+// Chunks are small enough not to waste much, and large enough for few dispatches.
 DeviceGrid::DeviceGrid(device::Device& device, std::int32_t zone_edge)
     : device_(device),
       layout_(zone_edge),
-      chunk_zones_(static_cast<std::uint32_t>(
-          std::min(chunk_bytes, device.info().limits.buffer_bytes) / layout_.grid_bytes())) {}
+      chunk_zones_(static_cast<std::uint32_t>(std::max<std::uint64_t>(
+          std::min({chunk_bytes, device.info().limits.buffer_bytes, device.spare_bytes() / 16}) /
+              layout_.grid_bytes(),
+          1))) {}
 
 DeviceGrid::Slot DeviceGrid::take() {
     if (free_.empty()) {

@@ -24,10 +24,14 @@ public:
         device::Buffer occupied_planes;
     };
 
+    /// What the values of a chunk's zones take at most.
+    static constexpr std::uint64_t chunk_bytes = std::uint64_t{16} << 20U;
+
     /// `device` lives longer.
     DeviceGrid(device::Device& device, std::int32_t zone_edge);
 
-    /// A slot with all cells 0. Throws DeviceError if the device has no more memory.
+    /// A slot with all cells 0. Throws CapacityError, and changes nothing, if the device has no
+    /// more memory.
     [[nodiscard]] Slot take();
     void give_back(const Slot& slot) { free_.push_back(slot); }
 

@@ -33,9 +33,11 @@ void DeviceLocalMap::reserve(std::span<const std::uint32_t> places) {
                         places.size(), bytes >> 20U, device_.info().id(), most >> 20U));
     }
     if (!planes_ || planes_->bytes() < bytes) {
-        // Twice what is needed, so that a growing map does not come here every image.
+        // Twice what is needed, so that a growing map does not come here every image; but not where
+        // memory is scarce, which the grid needs too.
         planes_.reset();
-        planes_.emplace(device_.make_buffer(std::min(2 * bytes, most)));
+        const auto ample = std::min(2 * bytes, most);
+        planes_.emplace(device_.make_buffer(ample <= device_.spare_bytes() / 4 ? ample : bytes));
     }
     device_.fill(*planes_, 0, bytes, 0);
     std::ranges::fill(table_, 0U);

@@ -20,7 +20,8 @@ public:
     DeviceLocalMap(device::Device& device, const Window& window);
 
     /// Empties the map and takes memory for the zones at `places`, each given once. Throws
-    /// CapacityError if the device's buffers cannot hold them.
+    /// CapacityError if the device's buffers cannot hold them; then it must be called again before
+    /// anything is drawn.
     void reserve(std::span<const std::uint32_t> places);
 
     /// Slot of the i-th reserved zone. Slot 0 is nobody's: what goes astray lands there.

@@ -94,4 +94,9 @@ void FuseLocalMap::check(const FusionBuffers& buffers, std::span<const ZonePair>
     }
 }
 
+void FuseLocalMap::reserve(std::size_t pairs) {
+    pairs_.reserve(pairs * sizeof(ZonePair));
+    changes_.reserve(pairs * sizeof(ZoneChange));
+}
+
 } // namespace zonegrid::ops

@@ -40,6 +40,10 @@ public:
     FuseLocalMap(device::Device& device, std::int32_t zone_edge, const FusionRule& rule,
                  std::uint32_t group_items = device::default_group_items);
 
+    /// Takes memory for so many pairs a dispatch. Throws CapacityError if there is none; `dispatch`
+    /// does the same, unless there is enough.
+    void reserve(std::size_t pairs);
+
     /// Fuses each pair, without waiting. No two pairs share a grid slot. Throws UsageError if they
     /// do or if a slot lies outside its buffer, CapacityError if a buffer is too large for 32-bit
     /// places.

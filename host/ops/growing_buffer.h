@@ -20,10 +20,12 @@ public:
     device::Buffer& reserve(std::uint64_t bytes) {
         bytes = std::max(bytes, std::uint64_t{sizeof(std::uint32_t)});
         if (!buffer_ || buffer_->bytes() < bytes) {
-            // Twice what is needed, so that a growing map does not come here every image.
-            const std::uint64_t most = std::max(bytes, device_.info().limits.buffer_bytes);
+            // Twice what is needed, so that a growing map does not come here every image; but not
+            // where memory is scarce.
+            const std::uint64_t most =
+                std::min(device_.info().limits.buffer_bytes, device_.spare_bytes() / 64);
             buffer_.reset();
-            buffer_.emplace(device_.make_buffer(std::min(2 * bytes, most)));
+            buffer_.emplace(device_.make_buffer(2 * bytes <= most ? 2 * bytes : bytes));
         }
         return *buffer_;
     }

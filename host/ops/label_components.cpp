@@ -38,6 +38,16 @@ LabelComponents::LabelComponents(device::Device& device, std::int32_t zone_edge,
       counts_(device),
       piece_buffer_(device) {}
 
+void LabelComponents::reserve(std::size_t zones) {
+    const std::uint64_t cells = zones * std::uint64_t{layout_.zone_cells};
+    slots_.reserve(zones * sizeof(std::uint32_t));
+    parents_.reserve(cells * sizeof(std::uint32_t));
+    numbers_.reserve(cells * sizeof(std::uint32_t));
+    layers_.reserve(zones * layer_bytes(zone_edge_));
+    counts_.reserve(zones * sizeof(LabelledZone));
+    piece_buffer_.reserve(cells / 2 * sizeof(LabelledPiece)); // no more than on a checkerboard
+}
+
 void LabelComponents::dispatch(const device::Buffer& occupied_planes,
                                std::span<const std::uint32_t> slots) {
     if (slots.size() > most_zones) {

@@ -33,6 +33,10 @@ public:
     LabelComponents(device::Device& device, std::int32_t zone_edge,
                     std::uint32_t group_items = device::default_group_items);
 
+    /// Takes memory for so many zones, whatever is in them. Throws CapacityError if there is none;
+    /// `dispatch` does the same, unless there is enough.
+    void reserve(std::size_t zones);
+
     /// Labels the zones at `slots`, at most `most_zones`, of a buffer of occupied planes. Waits for
     /// the counts.
     void dispatch(const device::Buffer& occupied_planes, std::span<const std::uint32_t> slots);

@@ -21,6 +21,11 @@ MeasureObjects::MeasureObjects(device::Device& device, std::uint32_t group_items
       first_pieces_(device),
       measures_(device) {}
 
+void MeasureObjects::reserve(std::size_t zones, std::size_t pieces) {
+    first_pieces_.reserve(zones * sizeof(std::uint32_t));
+    measures_.reserve(pieces * sizeof(Words));
+}
+
 void MeasureObjects::dispatch(const LabelComponents& labels) {
     zone_edge_ = labels.zone_edge();
     piece_count_ = labels.pieces().size();

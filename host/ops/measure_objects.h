@@ -25,6 +25,9 @@ public:
     explicit MeasureObjects(device::Device& device,
                             std::uint32_t group_items = device::default_group_items);
 
+    /// Takes memory for so many zones and pieces. Throws CapacityError if there is none.
+    void reserve(std::size_t zones, std::size_t pieces);
+
     /// Measures all pieces of `labels`, without waiting.
     void dispatch(const LabelComponents& labels);
 

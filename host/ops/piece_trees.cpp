@@ -28,25 +28,28 @@ PieceTrees::PieceTrees(device::Device& device, const std::string& operation,
       places_(device),
       nodes_(device) {}
 
+void PieceTrees::reserve(std::size_t pieces, std::uint64_t cells, std::int32_t zone_edge) {
+    // A cell lies in one node of each level; each tree begins with a new word.
+    const auto levels =
+        static_cast<std::uint64_t>(std::countr_zero(static_cast<std::uint32_t>(zone_edge)));
+    used_.reserve(sizeof(std::uint32_t));
+    places_.reserve(pieces * sizeof(TreePlace));
+    nodes_.reserve(pieces * sizeof(std::uint32_t) + cells * levels * node_bytes_);
+}
+
 void PieceTrees::dispatch(const LabelComponents& labels, const MeasureObjects& measures) {
     piece_count_ = labels.pieces().size();
-    const auto zone_bits = std::countr_zero(static_cast<std::uint32_t>(labels.zone_edge()));
-    // A cell lies in one node of each level; each tree begins with a new word.
-    std::uint64_t most_bytes = piece_count_ * sizeof(std::uint32_t);
+    std::uint64_t cells = 0;
     for (const auto& zone : labels.zones()) {
-        most_bytes +=
-            std::uint64_t{zone.cells} * static_cast<std::uint64_t>(zone_bits) * node_bytes_;
+        cells += zone.cells;
     }
-    auto& used = used_.reserve(sizeof(std::uint32_t));
-    device_.fill(used, 0, sizeof(std::uint32_t), 0);
+    reserve(piece_count_, cells, labels.zone_edge());
+    device_.fill(used_.reserve(0), 0, sizeof(std::uint32_t), 0);
     const std::array<const device::Buffer*, 6> bindings{
-        &labels.number_buffer(),
-        &labels.piece_buffer(),
-        &measures.measure_buffer(),
-        &used,
-        &places_.reserve(piece_count_ * sizeof(TreePlace)),
-        &nodes_.reserve(most_bytes)};
-    const ZonePiecesParams params{static_cast<std::uint32_t>(piece_count_), zone_bits};
+        &labels.number_buffer(), &labels.piece_buffer(), &measures.measure_buffer(), &used_.get(),
+        &places_.get(),          &nodes_.get()};
+    const ZonePiecesParams params{static_cast<std::uint32_t>(piece_count_),
+                                  std::countr_zero(static_cast<std::uint32_t>(labels.zone_edge()))};
     if (piece_count_ > 0) {
         device_.dispatch(kernel_, bindings, std::as_bytes(std::span(&params, 1)), params.items);
     }

@@ -16,6 +16,10 @@ public:
     PieceTrees(device::Device& device, const std::string& operation, std::uint32_t node_bytes,
                std::uint32_t group_items);
 
+    /// Takes memory for the trees of so many pieces with so many cells in all, in zones of that
+    /// edge. Throws CapacityError if there is none.
+    void reserve(std::size_t pieces, std::uint64_t cells, std::int32_t zone_edge);
+
     /// Encodes all pieces of `labels`, which `measures` has measured, without waiting.
     void dispatch(const LabelComponents& labels, const MeasureObjects& measures);
 

@@ -27,6 +27,11 @@ ProfileHeights::ProfileHeights(device::Device& device, std::int32_t zone_edge,
       zones_(device),
       heights_(device) {}
 
+void ProfileHeights::reserve(std::size_t zones) {
+    zones_.reserve(zones * sizeof(ProfiledZone));
+    heights_.reserve(zones * columns(zone_edge_));
+}
+
 void ProfileHeights::dispatch(const device::Buffer& occupied_planes,
                               std::span<const ProfiledZone> zones) {
     zone_count_ = zones.size();

@@ -26,6 +26,9 @@ public:
     ProfileHeights(device::Device& device, std::int32_t zone_edge,
                    std::uint32_t group_items = device::default_group_items);
 
+    /// Takes memory for so many zones. Throws CapacityError if there is none.
+    void reserve(std::size_t zones);
+
     /// Profiles zones of a buffer of occupied planes, without waiting.
     void dispatch(const device::Buffer& occupied_planes, std::span<const ProfiledZone> zones);
 

@@ -1,6 +1,10 @@
 #include "pipeline/device_engine.h"
 
 #include "ops/reached_zones.h"
+#include "pipeline/device_memory.h"
+#include "zonegrid/errors.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
@@ -8,11 +12,49 @@
 
 namespace zonegrid {
 
-DeviceEngine::DeviceEngine(const MapperOptions& options, const Window& window)
-    : window_(window),
-      device_(device::open_device(options.backend)),
+namespace {
+
+device::DeviceOptions device_options(const MapperOptions& options) {
+    device::DeviceOptions chosen;
+    chosen.memory_limit_bytes = options.device_memory_bytes;
+    return chosen;
+}
+
+double megabytes(std::uint64_t bytes) {
+    return static_cast<double>(bytes) / (1U << 20U);
+}
+
+} // namespace
+
+template <class Step>
+auto DeviceEngine::take_memory(const Step& step) const {
+    try {
+        return step();
+    } catch (const CapacityError& error) {
+        const auto pixels = camera_ ? static_cast<std::uint64_t>(camera_->width_px) *
+                                          static_cast<std::uint64_t>(camera_->height_px)
+                                    : 0;
+        // Without a limit, what the driver gave so far is what there is.
+        const auto available = options_.device_memory_bytes != 0 ? options_.device_memory_bytes
+                                                                 : device_->held_bytes();
+        const auto range_m = longest_range_m(options_, camera_, available);
+        throw CapacityError(fmt::format(
+            "{}; {:.1f} MB surely hold {} of {:g} m cells, {:.1f} MB hold the range of {:g} m: "
+            "choose a shorter range or larger cells, or let it take more memory",
+            error.what(), megabytes(available),
+            range_m ? fmt::format("a range of {:g} m", *range_m) : "no range", options_.cell_m,
+            megabytes(device_bytes_at_most(window_, pixels)), options_.range_m));
+    }
+}
+
+DeviceEngine::DeviceEngine(const MapperOptions& options, const std::optional<Camera>& camera,
+                           const Window& window)
+    : options_(options),
+      camera_(camera),
+      window_(window),
+      device_(device::open_device(options.backend, device_options(options))),
       grid_(*device_, options.zone),
-      local_map_(*device_, window),
+      local_map_(take_memory([&] { return ops::DeviceLocalMap(*device_, window); })),
       integrate_image_(*device_),
       integrate_scan_(*device_),
       fuse_local_map_(*device_, options.zone, FusionRule(options)),
@@ -23,7 +65,18 @@ DeviceEngine::DeviceEngine(const MapperOptions& options, const Window& window)
       encode_prism_(*device_),
       profile_heights_(*device_, options.zone),
       tracker_(options.zone),
-      values_(ops::ZoneLayout(options.zone).zone_cells) {}
+      values_(ops::ZoneLayout(options.zone).zone_cells) {
+    // What the objects of one zone need is taken first, so that there are objects wherever there is
+    // a map.
+    take_memory([&] {
+        const std::size_t cells = values_.size();
+        label_components_.reserve(1);
+        measure_objects_.reserve(1, cells / 2);
+        encode_octree_.reserve(cells / 2, cells, options.zone);
+        encode_prism_.reserve(cells / 2, cells, options.zone);
+        profile_heights_.reserve(1);
+    });
+}
 
 void DeviceEngine::move_to(const Window& window,
                            const std::function<void(const ZoneIndex&, const ZoneBits&)>& leave) {
@@ -43,39 +96,62 @@ void DeviceEngine::move_to(const Window& window,
 }
 
 void DeviceEngine::draw_objects(const ZoneIndex& zone, std::span<const CellIndex> cells) {
-    const Slot slot = grid_.take();
+    const Slot slot = take_memory([&] { return grid_.take(); });
     auto& chunk = grid_.chunk(slot.chunk);
-    draw_objects_.dispatch(cells, slot.index, chunk.cells, chunk.occupied_planes);
+    try {
+        take_memory(
+            [&] { draw_objects_.dispatch(cells, slot.index, chunk.cells, chunk.occupied_planes); });
+    } catch (const CapacityError&) {
+        grid_.give_back(slot);
+        throw;
+    }
     slots_.emplace(window_.place_of(zone), slot);
     note_held();
 }
 
 void DeviceEngine::integrate_image(const ImageRays& rays) {
     reserve(ops::reached_zones(rays, window_));
-    integrate_image_.dispatch(rays, local_map_);
+    take_memory([&] { integrate_image_.dispatch(rays, local_map_); });
     local_map_.check();
 }
 
 void DeviceEngine::integrate_scan(const ScanRays& scan) {
     reserve(ops::reached_zones(scan, window_));
-    integrate_scan_.dispatch(scan, local_map_);
+    take_memory([&] { integrate_scan_.dispatch(scan, local_map_); });
     local_map_.check();
 }
 
 void DeviceEngine::reserve(std::vector<std::uint32_t> places) {
     reserved_ = std::move(places);
-    local_map_.reserve(reserved_);
+    take_memory([&] { local_map_.reserve(reserved_); });
+}
+
+void DeviceEngine::take_slots() {
+    std::vector<std::uint32_t> taken;
+    try {
+        take_memory([&] {
+            for (const auto place : reserved_) {
+                if (!slots_.contains(place)) {
+                    slots_.emplace(place, grid_.take());
+                    taken.push_back(place);
+                }
+            }
+            fuse_local_map_.reserve(reserved_.size());
+        });
+    } catch (const CapacityError&) {
+        for (const auto place : taken) {
+            grid_.give_back(slots_.at(place));
+            slots_.erase(place);
+        }
+        throw;
+    }
 }
 
 FusionResult DeviceEngine::fuse_local_map() {
-    std::vector<std::vector<std::size_t>> by_chunk;
+    take_slots(); // all memory that fusion needs, before it changes a cell
+    std::vector<std::vector<std::size_t>> by_chunk(grid_.chunk_count());
     for (std::size_t i = 0; i < reserved_.size(); ++i) {
-        auto found = slots_.find(reserved_[i]);
-        if (found == slots_.end()) {
-            found = slots_.emplace(reserved_[i], grid_.take()).first;
-        }
-        by_chunk.resize(grid_.chunk_count());
-        by_chunk[found->second.chunk].push_back(i);
+        by_chunk[slots_.at(reserved_[i]).chunk].push_back(i);
     }
     FusionResult result;
     for (std::uint32_t chunk = 0; chunk < by_chunk.size(); ++chunk) {
@@ -118,12 +194,16 @@ void DeviceEngine::track(std::span<const ZoneIndex> changed) {
     for (std::uint32_t chunk = 0; chunk < by_chunk.size(); ++chunk) {
         std::span<const ZoneIndex> zones(by_chunk[chunk]);
         while (!zones.empty()) {
-            const auto batch =
-                zones.first(std::min(zones.size(), ops::LabelComponents::most_zones));
-            track_in(grid_.chunk(chunk), batch);
+            const auto batch = zones.first(std::min(zones.size(), zones_at_once()));
+            take_memory([&] { track_in(grid_.chunk(chunk), batch); });
             zones = zones.subspan(batch.size());
         }
     }
+}
+
+std::size_t DeviceEngine::zones_at_once() const {
+    const auto room = device_->spare_bytes() / object_bytes_at_most(window_.zone_edge());
+    return std::clamp<std::size_t>(room, 1, ops::LabelComponents::most_zones);
 }
 
 void DeviceEngine::track_in(ops::DeviceGrid::Chunk& chunk, std::span<const ZoneIndex> zones) {
@@ -174,40 +254,55 @@ void DeviceEngine::track_in(ops::DeviceGrid::Chunk& chunk, std::span<const ZoneI
 
 std::vector<ProfileColumn> DeviceEngine::profile_heights(std::int32_t z_least) {
     const std::int32_t edge = window_.zone_edge();
-    std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> highest; // by x, then y
-    for (std::uint32_t chunk = 0; chunk < grid_.chunk_count(); ++chunk) {
-        std::vector<ops::ProfiledZone> profiled;
-        std::vector<CellIndex> first_cells;
-        for (const auto& [place, slot] : slots_) {
-            const CellIndex first = first_cell_of(window_.zone_at(place), edge);
-            const std::int64_t left_out = std::int64_t{z_least} - first.z;
-            if (slot.chunk == chunk && left_out < edge) {
-                profiled.push_back(
-                    {slot.index, static_cast<std::uint32_t>(std::max<std::int64_t>(left_out, 0))});
-                first_cells.push_back(first);
-            }
+    std::vector<std::vector<std::pair<CellIndex, ops::ProfiledZone>>> by_chunk(grid_.chunk_count());
+    for (const auto& [place, slot] : slots_) {
+        const CellIndex first = first_cell_of(window_.zone_at(place), edge);
+        const std::int64_t left_out = std::int64_t{z_least} - first.z;
+        if (left_out < edge) {
+            by_chunk[slot.chunk].push_back(
+                {first,
+                 {slot.index, static_cast<std::uint32_t>(std::max<std::int64_t>(left_out, 0))}});
         }
-        profile_heights_.dispatch(grid_.chunk(chunk).occupied_planes, profiled);
-        const auto heights = profile_heights_.heights();
-        for (std::size_t i = 0; i < heights.size(); ++i) {
-            if (heights[i] == ops::ProfileHeights::no_height) {
-                continue;
-            }
-            const auto columns = static_cast<std::size_t>(edge * edge);
-            const CellIndex& first = first_cells[i / columns];
-            const auto column = static_cast<std::int32_t>(i % columns);
-            const std::int32_t z = first.z + heights[i];
-            const auto [found, entered] =
-                highest.try_emplace({first.x + column % edge, first.y + column / edge}, z);
-            found->second = std::min(found->second, z);
+    }
+    Columns columns;
+    for (std::uint32_t chunk = 0; chunk < by_chunk.size(); ++chunk) {
+        std::span zones(std::as_const(by_chunk[chunk]));
+        while (!zones.empty()) {
+            const auto batch = zones.first(std::min(zones.size(), zones_at_once()));
+            take_memory([&] { profile_in(grid_.chunk(chunk), batch, columns); });
+            zones = zones.subspan(batch.size());
         }
     }
     std::vector<ProfileColumn> result;
-    result.reserve(highest.size());
-    for (const auto& [column, z] : highest) {
+    result.reserve(columns.size());
+    for (const auto& [column, z] : columns) {
         result.push_back({column.first, column.second, z});
     }
     return result;
+}
+
+void DeviceEngine::profile_in(ops::DeviceGrid::Chunk& chunk,
+                              std::span<const std::pair<CellIndex, ops::ProfiledZone>> zones,
+                              Columns& columns) {
+    std::vector<ops::ProfiledZone> profiled;
+    for (const auto& [first, zone] : zones) {
+        profiled.push_back(zone);
+    }
+    profile_heights_.dispatch(chunk.occupied_planes, profiled);
+    const auto heights = profile_heights_.heights();
+    const std::int32_t edge = window_.zone_edge();
+    const auto zone_columns = static_cast<std::size_t>(edge * edge);
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        if (heights[i] == ops::ProfileHeights::no_height) {
+            continue;
+        }
+        const CellIndex& first = zones[i / zone_columns].first;
+        const auto column = static_cast<std::int32_t>(i % zone_columns);
+        const std::int32_t z = first.z + heights[i];
+        const auto [found, entered] =
+            columns.try_emplace({first.x + column % edge, first.y + column / edge}, z);
+        found->second = std::min(found->second, z);
+    }
 }
 
 ZoneBits DeviceEngine::occupied_in(const Slot& slot) {

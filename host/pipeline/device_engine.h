@@ -15,6 +15,7 @@
 #include "pipeline/piece_tracker.h"
 
 #include <map>
+#include <optional>
 #include <string>
 
 namespace zonegrid {
@@ -23,7 +24,8 @@ namespace zonegrid {
 class DeviceEngine : public GridEngine {
 public:
     /// Throws DeviceError if the device that `options.backend` names is missing or refused.
-    DeviceEngine(const MapperOptions& options, const Window& window);
+    DeviceEngine(const MapperOptions& options, const std::optional<Camera>& camera,
+                 const Window& window);
 
     void move_to(const Window& window,
                  const std::function<void(const ZoneIndex&, const ZoneBits&)>& leave) override;
@@ -40,16 +42,31 @@ public:
 
 private:
     using Slot = ops::DeviceGrid::Slot;
+    /// Least z of each column, by x, then y.
+    using Columns = std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t>;
 
     [[nodiscard]] ZoneBits occupied_in(const Slot& slot);
     void reserve(std::vector<std::uint32_t> places);
+    /// Takes slots in the grid for the reserved zones.
+    void take_slots();
     /// Adds the reserved zones with these indices, whose slots lie in one chunk, to the grid.
     void fuse_chunk(std::uint32_t chunk, std::span<const std::size_t> reserved,
                     FusionResult& result);
+    /// Takes zones, by their first cells, whose slots lie in one chunk into the profile.
+    void profile_in(ops::DeviceGrid::Chunk& chunk,
+                    std::span<const std::pair<CellIndex, ops::ProfiledZone>> zones,
+                    Columns& columns);
+    /// How many zones there is memory to label or profile at once, at least one.
+    [[nodiscard]] std::size_t zones_at_once() const;
     /// Takes zones whose slots lie in one chunk into the objects.
     void track_in(ops::DeviceGrid::Chunk& chunk, std::span<const ZoneIndex> zones);
     void note_held();
+    /// Does a step that takes memory. Where that is refused, the error says what would fit.
+    template <class Step>
+    auto take_memory(const Step& step) const;
 
+    MapperOptions options_;
+    std::optional<Camera> camera_;
     Window window_;
     std::unique_ptr<device::Device> device_;
     ops::DeviceGrid grid_;

@@ -6,10 +6,12 @@
 #include "model/zone_bits.h"
 #include "zonegrid/objects.h"
 #include "zonegrid/options.h"
+#include "zonegrid/sensors.h"
 
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +19,9 @@ namespace zonegrid {
 
 /// The zoned grid and what is done to it, on one backend. Zones are named by their places in the
 /// window that the engine stands on.
+///
+/// Where memory is refused, calls throw CapacityError and the cells stay as they were; after any
+/// other error they cannot be trusted.
 class GridEngine {
 public:
     GridEngine() = default;
@@ -59,6 +64,7 @@ public:
 
 /// The engine that `options.backend` names. Throws DeviceError if its device is missing or refused.
 [[nodiscard]] std::unique_ptr<GridEngine> make_grid_engine(const MapperOptions& options,
+                                                           const std::optional<Camera>& camera,
                                                            const Window& window);
 
 } // namespace zonegrid

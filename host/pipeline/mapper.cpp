@@ -26,7 +26,7 @@ public:
           camera_(camera),
           rule_(options),
           window_(make_window(options, camera)),
-          grid_(make_engine(options, window_)),
+          grid_(make_engine(options, camera, window_)),
           features_(options.zone) {
         if (camera_) {
             quantizer_.emplace(*camera_, options_);
@@ -37,55 +37,23 @@ public:
 
     ImageResult add_image(const DepthImage& image) {
         check_image(image);
-        Stopwatch stopwatch;
-        ImageResult result;
-        if (!begin(image.time_s, camera_->body_from_camera, result)) {
-            return result;
-        }
-        result.prepare_s = stopwatch.lap_s();
-        follow(result);
-        result.window_s = stopwatch.lap_s();
-        quantizer_->quantize(image.depth_m, result.world_from_sensor, window_, rays_);
-        result.missing = static_cast<std::uint64_t>(
-            std::ranges::count_if(rays_.depths, [](const auto& depth) { return depth.near < 0; }));
-        result.rays = rays_.depths.size() - result.missing;
-        result.prepare_s += stopwatch.lap_s();
-        grid_->integrate_image(rays_);
-        result.integrate_s = stopwatch.lap_s();
-        fuse(result);
-        result.fuse_s = stopwatch.lap_s();
-        return result;
+        return guard([&] { return integrate(image); });
     }
 
     ImageResult add_scan(const Scan& scan) {
         check_scan(scan);
-        Stopwatch stopwatch;
-        ImageResult result;
-        if (!begin(scan.time_s, scan.body_from_sensor, result)) {
-            return result;
-        }
-        result.prepare_s = stopwatch.lap_s();
-        follow(result);
-        result.window_s = stopwatch.lap_s();
-        const ScanRays rays = quantize_scan(scan, result.world_from_sensor, options_, window_);
-        result.rays = rays.rays.size();
-        result.missing = rays.missing;
-        result.dropped = rays.dropped;
-        result.prepare_s += stopwatch.lap_s();
-        grid_->integrate_scan(rays);
-        result.integrate_s = stopwatch.lap_s();
-        fuse(result);
-        result.fuse_s = stopwatch.lap_s();
-        return result;
+        return guard([&] { return integrate(scan); });
     }
 
     const std::vector<Object>& objects() {
+        require_going_on();
         grid_->track(std::vector(changed_.begin(), changed_.end()));
         changed_.clear();
         return grid_->objects();
     }
 
     HeightProfile height_profile(std::optional<double> cut_height_m) const {
+        require_going_on();
         const std::int32_t z_least = least_z(cut_height_m);
         reference::HeightProfiler remembered(options_.zone, z_least);
         for (const auto& [zone, octree] : features_.zones()) {
@@ -102,6 +70,7 @@ public:
     }
 
     int value(const CellIndex& cell) const {
+        require_going_on();
         const ZoneIndex zone = zone_of(cell, options_.zone);
         if (!window_.holds(zone)) {
             return 0;
@@ -111,6 +80,7 @@ public:
     }
 
     void for_each_cell(const std::function<void(const CellIndex&, int)>& visit) const {
+        require_going_on();
         // Order by x, then y, then z: one layer of zones at a time, one x at a time through it.
         std::map<std::int32_t, std::map<std::pair<std::int32_t, std::int32_t>, std::uint32_t>>
             layers;
@@ -131,6 +101,7 @@ public:
     }
 
     MapStatistics statistics() const {
+        require_going_on();
         MapStatistics statistics;
         statistics.window_first_cell = window_.first_cell();
         statistics.window_cells = window_.edge_cells();
@@ -151,6 +122,73 @@ public:
 private:
     /// Zones with one x, by y and z.
     using Layer = std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::int8_t>>;
+
+    /// Does what a call asks for. Memory that a device refuses leaves the map as it is; after any
+    /// other error of an engine its cells cannot be trusted, and the map has ended.
+    template <class Call>
+    ImageResult guard(const Call& call) {
+        require_going_on();
+        try {
+            return call();
+        } catch (const DeviceError& error) {
+            end_ = error.what();
+            throw;
+        } catch (const Error&) {
+            throw;
+        } catch (const std::exception& error) {
+            end_ = error.what();
+            throw;
+        }
+    }
+
+    void require_going_on() const {
+        if (!end_.empty()) {
+            throw UsageError(
+                fmt::format("this map has ended, make a new Mapper; it ended with: {}", end_));
+        }
+    }
+
+    ImageResult integrate(const DepthImage& image) {
+        Stopwatch stopwatch;
+        ImageResult result;
+        if (!begin(image.time_s, camera_->body_from_camera, result)) {
+            return result;
+        }
+        result.prepare_s = stopwatch.lap_s();
+        follow(result);
+        result.window_s = stopwatch.lap_s();
+        quantizer_->quantize(image.depth_m, result.world_from_sensor, window_, rays_);
+        result.missing = static_cast<std::uint64_t>(
+            std::ranges::count_if(rays_.depths, [](const auto& depth) { return depth.near < 0; }));
+        result.rays = rays_.depths.size() - result.missing;
+        result.prepare_s += stopwatch.lap_s();
+        grid_->integrate_image(rays_);
+        result.integrate_s = stopwatch.lap_s();
+        fuse(result);
+        result.fuse_s = stopwatch.lap_s();
+        return result;
+    }
+
+    ImageResult integrate(const Scan& scan) {
+        Stopwatch stopwatch;
+        ImageResult result;
+        if (!begin(scan.time_s, scan.body_from_sensor, result)) {
+            return result;
+        }
+        result.prepare_s = stopwatch.lap_s();
+        follow(result);
+        result.window_s = stopwatch.lap_s();
+        const ScanRays rays = quantize_scan(scan, result.world_from_sensor, options_, window_);
+        result.rays = rays.rays.size();
+        result.missing = rays.missing;
+        result.dropped = rays.dropped;
+        result.prepare_s += stopwatch.lap_s();
+        grid_->integrate_scan(rays);
+        result.integrate_s = stopwatch.lap_s();
+        fuse(result);
+        result.fuse_s = stopwatch.lap_s();
+        return result;
+    }
 
     void check_image(const DepthImage& image) const {
         if (!camera_) {
@@ -189,26 +227,31 @@ private:
 
     /// Moves the window after the sensor: zones leave into the feature map, zones come out of it.
     void follow(ImageResult& result) {
-        if (!window_.move_to(sensor_cell_)) {
-            return;
+        Window window = window_;
+        if (window.move_to(sensor_cell_)) {
+            track_leaving(window);
+            window_ = window;
+            grid_->move_to(window_, [&](const ZoneIndex& zone, const ZoneBits& occupied) {
+                ++result.zones_left;
+                remember(zone, occupied);
+            });
+            returning_ = features_.zones_in(window_);
         }
-        track_leaving();
-        grid_->move_to(window_, [&](const ZoneIndex& zone, const ZoneBits& occupied) {
-            ++result.zones_left;
-            remember(zone, occupied);
-        });
-        for (const auto& zone : features_.zones_in(window_)) {
-            grid_->draw_objects(zone, features_.take(zone));
+        // A zone for which a device has no memory stays remembered; the next image tries again.
+        while (!returning_.empty()) {
+            grid_->draw_objects(returning_.back(), features_.cells(returning_.back()));
+            features_.remember(returning_.back(), {});
+            returning_.pop_back();
             ++result.zones_entered;
         }
         zones_held_most_ = std::max<std::uint64_t>(zones_held_most_, grid_->held().size());
     }
 
-    /// Takes zones that the window has left into the objects, as long as the grid still holds them.
-    void track_leaving() {
+    /// Takes zones that are about to leave into the objects, as long as the grid still holds them.
+    void track_leaving(const Window& window) {
         std::vector<ZoneIndex> leaving;
         for (const auto& zone : changed_) {
-            if (!window_.holds(zone)) {
+            if (!window.holds(zone)) {
                 leaving.push_back(zone);
             }
         }
@@ -293,6 +336,8 @@ private:
     double last_time_s_ = -std::numeric_limits<double>::infinity();
     std::set<ZoneIndex> changed_; ///< zones in the window whose occupancy the objects have not
     std::uint64_t zones_held_most_ = 0;
+    std::vector<ZoneIndex> returning_; ///< remembered zones in the window, still to be drawn
+    std::string end_;                  ///< the error after which the map cannot go on; empty: none
 };
 
 Mapper::Mapper(const MapperOptions& options, const std::optional<Camera>& camera)

@@ -40,9 +40,17 @@ uint index_in_zone(const LocalMap* map, int3 cell) {
     return (uint)(((within.z << bits | within.y) << bits) | within.x);
 }
 
-// Sets bits of a word. Most are set already, by the rays beside this one.
+// Sets bits of a word. Most are set already, by the rays beside this one. The read may miss bits
+// that others set meanwhile, which are then set once more. OpenCL 1.2 reads atomically only by
+// writing, which is slow; ZG_ATOMIC_READS is for programs that look for races, so that they see
+// others.
 void mark(const LocalMap* map, uint word, uint bits) {
-    if ((map->planes[word] & bits) != bits) {
+#ifdef ZG_ATOMIC_READS
+    const uint marked = atomic_or(&map->planes[word], 0);
+#else
+    const uint marked = map->planes[word];
+#endif
+    if ((marked & bits) != bits) {
         atomic_or(&map->planes[word], bits);
     }
 }

@@ -42,9 +42,11 @@ uint index_in_zone(ivec3 cell) {
     return uint(((within.z << bits | within.y) << bits) | within.x);
 }
 
-// Sets bits of a word. Most are set already, by the rays beside this one.
+// Sets bits of a word. Most are set already, by the rays beside this one. The read may miss bits
+// that others set meanwhile, which are then set once more.
 void mark(uint word, uint bits) {
-    if ((local_planes[word] & bits) != bits) {
+    const uint marked = local_planes[word];
+    if ((marked & bits) != bits) {
         atomicOr(local_planes[word], bits);
     }
 }

@@ -107,6 +107,28 @@ TEST_P(BufferOf, RefusesSizesThatNoBufferHas) {
     });
 }
 
+TEST_P(BufferOf, CountsAgainstTheLimitWhileItLives) {
+    for (const auto& info : devices()) {
+        SCOPED_TRACE(describe(info));
+        device::DeviceOptions options;
+        options.memory_limit_bytes = 1000;
+        const auto device = device::open_device(info.id(), options);
+        EXPECT_EQ(device->spare_bytes(), 1000U);
+        const Buffer kept = device->make_buffer(600);
+        {
+            const Buffer gone = device->make_buffer(400);
+            EXPECT_EQ(device->held_bytes(), 1000U);
+            EXPECT_EQ(device->spare_bytes(), 0U);
+            EXPECT_THROW((void)device->make_buffer(1), CapacityError);
+        }
+        Buffer moved = device->make_buffer(399);
+        moved = device->make_buffer(1);
+        EXPECT_EQ(device->held_bytes(), 601U);
+        EXPECT_THROW((void)device->make_buffer(400), CapacityError);
+        EXPECT_NO_THROW((void)device->make_buffer(399));
+    }
+}
+
 TEST_P(BufferOf, TwoDevicesInOneProcessKeepApart) {
     for_each_device([this](const std::unique_ptr<Device>& device) {
         const auto other = device::open_device(GetParam());

@@ -1,12 +1,12 @@
 #include "device/device.h"
 
 #include "support/each_device.h"
+#include "support/environment.h"
 #include "zonegrid/errors.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <map>
 #include <string>
 
@@ -16,23 +16,6 @@ namespace {
 using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
-
-/// Sets an environment variable for as long as it lives.
-class Environment {
-public:
-    Environment(const char* name, const char* value) : name_(name) {
-        const char* before = std::getenv(name);
-        before_ = before == nullptr ? "" : before;
-        setenv(name, value, 1);
-    }
-    Environment(const Environment&) = delete;
-    Environment& operator=(const Environment&) = delete;
-    ~Environment() { setenv(name_, before_.c_str(), 1); } // empty counts as not set
-
-private:
-    const char* name_;
-    std::string before_;
-};
 
 template <class Failure>
 std::string message_of_opening(const char* name) {

@@ -175,9 +175,21 @@ TEST_P(KernelOf, RefusesSpecsThatCannotWork) {
         EXPECT_THROW(make(5, 132, 64), UsageError);
         EXPECT_THROW(make(5, 6, 64), UsageError);
         EXPECT_THROW(make(5, 24, 0), UsageError);
-        EXPECT_THROW(make(5, 24, device->info().limits.group_items + 1), UsageError);
         EXPECT_THROW(make(device::max_kernel_buffers + 1, 24, 64), CapacityError);
         EXPECT_THROW((void)device->make_kernel({"no_such_kernel", "none", 1, 4, 64}), UsageError);
+    });
+}
+
+TEST_P(KernelOf, HasNoMoreItemsInAGroupThanTheDeviceAllows) {
+    for_each_device([](const std::unique_ptr<Device>& device) {
+        auto spec = fusion;
+        spec.group_items = 2 * device->info().limits.group_items;
+        const Kernel kernel = device->make_kernel(spec);
+        EXPECT_GE(kernel.spec().group_items, 1U);
+        EXPECT_LE(kernel.spec().group_items, device->info().limits.group_items);
+        const auto items = kernel.spec().group_items;
+        EXPECT_EQ(kernel.groups_for(items), 1U);
+        EXPECT_EQ(kernel.groups_for(items + 1), 2U);
     });
 }
 
@@ -222,6 +234,18 @@ TEST_P(KernelOf, NamesFileAndLineOfWhatDoesNotCompile) {
         broken.replace(broken.find(text), text.size(), "wrong;");
         expect_build_failure(broken, file + ":" + std::to_string(line_of(file, text)));
     }
+}
+
+TEST(EmbeddedCode, IsCutToOneKernelLineForLine) {
+    const std::string source =
+        "int f();\n__kernel void one(int i) {\n    {\n    }\n}\n// between\n"
+        "__kernel __attribute__((a(8, 1, 1))) void two(\n    int i) {\n}\nint g();";
+    EXPECT_EQ(device::only_entry(source, "one"),
+              "int f();\n__kernel void one(int i) {\n    {\n    }\n}\n// between\n\n\n\nint g();");
+    EXPECT_EQ(device::only_entry(source, "two"),
+              "int f();\n\n\n\n\n// between\n"
+              "__kernel __attribute__((a(8, 1, 1))) void two(\n    int i) {\n}\nint g();");
+    EXPECT_EQ(device::only_entry("", "one"), "");
 }
 
 TEST(EmbeddedCode, HasEveryKernelInBothLanguages) {

@@ -26,9 +26,10 @@ using ::testing::Pair;
 using ::testing::StartsWith;
 
 GridEngineMaker broken(Fault fault) {
-    return [fault](const MapperOptions& options, const Window& window) {
-        return std::make_unique<BrokenEngine>(options, window, fault);
-    };
+    return
+        [fault](const MapperOptions& options, const std::optional<Camera>&, const Window& window) {
+            return std::make_unique<BrokenEngine>(options, window, fault);
+        };
 }
 
 /// How often each operation was found at fault in 100 flights.

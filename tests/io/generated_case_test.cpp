@@ -19,9 +19,10 @@ using ::testing::HasSubstr;
 using testing::TemporaryFolder;
 
 GridEngineMaker broken(Fault fault) {
-    return [fault](const MapperOptions& options, const Window& window) {
-        return std::make_unique<BrokenEngine>(options, window, fault);
-    };
+    return
+        [fault](const MapperOptions& options, const std::optional<Camera>&, const Window& window) {
+            return std::make_unique<BrokenEngine>(options, window, fault);
+        };
 }
 
 TEST(GeneratedCase, ShowsTheSameFaultWhenItIsReadBack) {

@@ -3,6 +3,7 @@
 #include "model/zone_bits.h"
 #include "ops/device_grid.h"
 #include "reference/draw_objects.h"
+#include "support/case_count.h"
 #include "support/each_device.h"
 #include "support/oracle_random.h"
 
@@ -27,7 +28,8 @@ INSTANTIATE_TEST_SUITE_P(Backends, DrawObjectsOn, testing::Values("opencl", "vul
 
 TEST_P(DrawObjectsOn, EqualsTheReference) {
     for_each_device([](const std::unique_ptr<Device>& device) {
-        for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        const std::uint64_t count = case_count(60);
+        for (std::uint64_t seed = 1; seed <= count; ++seed) {
             SCOPED_TRACE("seed " + std::to_string(seed));
             Random random(seed);
             const std::int32_t edge = 8 << random.pick(0, 2);

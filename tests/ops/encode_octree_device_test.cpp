@@ -1,6 +1,7 @@
 #include "ops/encode_octree.h"
 
 #include "reference/encode_octree.h"
+#include "support/case_count.h"
 #include "support/each_device.h"
 #include "support/labelled_zones.h"
 
@@ -25,7 +26,8 @@ TEST_P(EncodeOctreeOn, EqualsTheReference) {
         ops::EncodeOctree wide(*device);
         ops::EncodeOctree narrow(*device, 32);
         std::size_t compared = 0;
-        for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        const std::uint64_t count = case_count(40);
+        for (std::uint64_t seed = 1; seed <= count; ++seed) {
             SCOPED_TRACE("seed " + std::to_string(seed));
             Random random(seed);
             const std::int32_t edge = 8 << random.pick(0, 2);
@@ -43,7 +45,7 @@ TEST_P(EncodeOctreeOn, EqualsTheReference) {
                     << "piece " << i;
             }
         }
-        EXPECT_GT(compared, 10000U);
+        EXPECT_TRUE(compared > 10000U || count < 40) << compared;
     });
 }
 

@@ -2,6 +2,7 @@
 
 #include "ops/reached_zones.h"
 #include "reference/integrate_image.h"
+#include "support/case_count.h"
 #include "support/device_statements.h"
 #include "support/each_device.h"
 #include "support/oracle_scenes.h"
@@ -128,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Backends, IntegrateImageOn, testing::Values("opencl", "
 
 TEST_P(IntegrateImageOn, EqualsTheReference) {
     for_each_device([](const std::unique_ptr<Device>& device) {
-        const std::uint64_t count = cases(2000);
+        const std::uint64_t count = case_count(2000);
         IntegrateImage wide(*device);
         IntegrateImage narrow(*device, 32);
         std::uint64_t compared = 0;
@@ -143,14 +144,14 @@ TEST_P(IntegrateImageOn, EqualsTheReference) {
             stated += expected.size();
         }
         EXPECT_EQ(compared, count);
-        EXPECT_GT(stated, 500000U);
+        EXPECT_TRUE(stated > 500000U || count < 2000) << stated;
     });
 }
 
 TEST_P(IntegrateImageOn, EqualsTheReferenceWhereCellsAreFilled) {
     for_each_device([](const std::unique_ptr<Device>& device) {
         IntegrateImage operation(*device);
-        const std::uint64_t count = cases(400);
+        const std::uint64_t count = case_count(400);
         std::uint64_t stated = 0;
         for (std::uint64_t seed = 1; seed <= count; ++seed) {
             const ImagePair pair = surface_pair(seed);
@@ -159,7 +160,7 @@ TEST_P(IntegrateImageOn, EqualsTheReferenceWhereCellsAreFilled) {
                 << "seed " << seed;
             stated += expected.size();
         }
-        EXPECT_GT(stated, 3000000U);
+        EXPECT_TRUE(stated > 3000000U || count < 400) << stated;
     });
 }
 

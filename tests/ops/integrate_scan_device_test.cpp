@@ -2,6 +2,7 @@
 
 #include "ops/reached_zones.h"
 #include "reference/integrate_scan.h"
+#include "support/case_count.h"
 #include "support/device_statements.h"
 #include "support/each_device.h"
 #include "support/oracle_random.h"
@@ -72,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(Backends, IntegrateScanOn, testing::Values("opencl", "v
 
 TEST_P(IntegrateScanOn, EqualsTheReference) {
     for_each_device([](const std::unique_ptr<Device>& device) {
-        const std::uint64_t count = cases(2000);
+        const std::uint64_t count = case_count(2000);
         ops::IntegrateScan operation(*device);
         std::uint64_t compared = 0;
         std::uint64_t stated = 0;
@@ -94,7 +95,7 @@ TEST_P(IntegrateScanOn, EqualsTheReference) {
             stated += actual.size();
         }
         EXPECT_EQ(compared, count);
-        EXPECT_GT(stated, 300000U);
+        EXPECT_TRUE(stated > 300000U || count < 2000) << stated;
     });
 }
 

@@ -1,6 +1,7 @@
 #include "ops/label_components.h"
 
 #include "reference/label_components.h"
+#include "support/case_count.h"
 #include "support/each_device.h"
 #include "support/labelled_zones.h"
 #include "zonegrid/errors.h"
@@ -34,7 +35,8 @@ std::vector<std::uint32_t> numbers_of(const reference::ZonePieces& pieces, std::
 TEST_P(LabelComponentsOn, EqualsTheReference) {
     for_each_device([](const std::unique_ptr<Device>& device) {
         std::size_t pieces = 0;
-        for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        const std::uint64_t count = case_count(60);
+        for (std::uint64_t seed = 1; seed <= count; ++seed) {
             SCOPED_TRACE("seed " + std::to_string(seed));
             Random random(seed);
             const std::int32_t edge = 8 << random.pick(0, 2);
@@ -66,7 +68,7 @@ TEST_P(LabelComponentsOn, EqualsTheReference) {
                 }
             }
         }
-        EXPECT_GT(pieces, 20000U);
+        EXPECT_TRUE(pieces > 20000U || count < 60) << pieces;
     });
 }
 

@@ -1,6 +1,7 @@
 #include "ops/measure_objects.h"
 
 #include "reference/measure_objects.h"
+#include "support/case_count.h"
 #include "support/each_device.h"
 #include "support/labelled_zones.h"
 
@@ -24,7 +25,8 @@ TEST_P(MeasureObjectsOn, EqualsTheReference) {
         ops::MeasureObjects wide(*device);
         ops::MeasureObjects narrow(*device, 32);
         std::size_t compared = 0;
-        for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        const std::uint64_t count = case_count(60);
+        for (std::uint64_t seed = 1; seed <= count; ++seed) {
             SCOPED_TRACE("seed " + std::to_string(seed));
             Random random(seed);
             const std::int32_t edge = 8 << random.pick(0, 2);
@@ -47,7 +49,7 @@ TEST_P(MeasureObjectsOn, EqualsTheReference) {
                     << "piece " << i;
             }
         }
-        EXPECT_GT(compared, 20000U);
+        EXPECT_TRUE(compared > 20000U || count < 60) << compared;
     });
 }
 

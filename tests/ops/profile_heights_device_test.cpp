@@ -1,6 +1,7 @@
 #include "ops/profile_heights.h"
 
 #include "reference/profile_heights.h"
+#include "support/case_count.h"
 #include "support/each_device.h"
 #include "support/labelled_zones.h"
 
@@ -23,7 +24,8 @@ INSTANTIATE_TEST_SUITE_P(Backends, ProfileHeightsOn, testing::Values("opencl", "
 TEST_P(ProfileHeightsOn, EqualsTheReference) {
     for_each_device([](const std::unique_ptr<Device>& device) {
         std::size_t columns = 0;
-        for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        const std::uint64_t count = case_count(60);
+        for (std::uint64_t seed = 1; seed <= count; ++seed) {
             SCOPED_TRACE("seed " + std::to_string(seed));
             Random random(seed);
             const std::int32_t edge = 8 << random.pick(0, 2);
@@ -58,7 +60,7 @@ TEST_P(ProfileHeightsOn, EqualsTheReference) {
                 ASSERT_EQ(std::vector(first, first + edge * edge), expected) << "zone " << i;
             }
         }
-        EXPECT_GT(columns, 30000U);
+        EXPECT_TRUE(columns > 30000U || count < 60) << columns;
     });
 }
 

@@ -1,6 +1,5 @@
 #include "support/each_device.h"
 
-#include <cstdlib>
 #include <iostream>
 
 namespace zonegrid {
@@ -46,12 +45,6 @@ void EachDevice::SetUp() {
     for (const auto& info : devices_) {
         std::cout << "on " << describe(info) << "\n";
     }
-}
-
-std::uint64_t EachDevice::cases(std::uint64_t few) {
-    const std::uint64_t count = std::getenv("ZONEGRID_LONG_TESTS") != nullptr ? 50 * few : few;
-    std::cout << count << " cases\n";
-    return count;
 }
 
 std::string EachDevice::describe(const device::DeviceInfo& info) {

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -36,10 +35,6 @@ protected:
     }
 
     [[nodiscard]] const std::vector<device::DeviceInfo>& devices() const { return devices_; }
-
-    /// How many generated cases to try: `few`, or fifty times as many if ZONEGRID_LONG_TESTS is set
-    /// in the environment. Prints the number.
-    static std::uint64_t cases(std::uint64_t few);
 
     /// "opencl:0, NAME, DRIVER".
     static std::string describe(const device::DeviceInfo& info);

@@ -51,8 +51,8 @@ class GridEngine;
 class Window;
 
 /// Makes the part of a Mapper that computes (host/pipeline/grid_engine.h).
-using GridEngineMaker =
-    std::function<std::unique_ptr<GridEngine>(const MapperOptions&, const Window&)>;
+using GridEngineMaker = std::function<std::unique_ptr<GridEngine>(
+    const MapperOptions&, const std::optional<Camera>&, const Window&)>;
 
 /// The obstacle mapper: navigation in, image in, map out. Needs no file.
 ///
@@ -76,7 +76,10 @@ public:
     void add_navigation(const NavigationSample& sample);
 
     /// Integrates and fuses one depth image of the camera's size.
-    /// Throws UsageError if there is no camera or the size differs.
+    /// Throws UsageError if there is no camera or the size differs. On a device also CapacityError
+    /// if it has no memory for the image, which is dropped: cells stay as they were, and the next
+    /// image may fit; and DeviceError if the device fails: then the map has ended, and calls throw
+    /// UsageError.
     ImageResult add_image(const DepthImage& image);
 
     /// Integrates and fuses one scan (always with the `line` model).

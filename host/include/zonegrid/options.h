@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -26,6 +27,8 @@ struct MapperOptions {
     /// How to compute: "reference" (scalar, on the processor), "opencl" or "vulkan" (the first
     /// device of it that can be used), or one device, such as "opencl:0".
     std::string backend = "reference";
+    /// Most memory of the device to take, bytes, where others use it too; 0: no limit.
+    std::uint64_t device_memory_bytes = 0;
 };
 
 /// Whether a name can be that of a backend or of one of its devices.
