@@ -32,7 +32,8 @@ if ! grep -q 'data race' "$folder/messages"; then
 fi
 
 passed=0
-for kernels in DrawObjectsOn FuseLocalMapOn IntegrateScanOn IntegrateImageOn; do
+for kernels in DrawObjectsOn FuseLocalMapOn IntegrateScanOn IntegrateImageOn LabelComponentsOn \
+    MeasureObjectsOn EncodeOctreeOn EncodePrismOn ProfileHeightsOn; do
     simulate "-D ZG_ATOMIC_READS" "*${kernels}*/opencl:-*AtRealSizes*"
     status=$?
     grep '^\[==========\] .* ran\.' "$folder/output"
