@@ -365,7 +365,8 @@ __kernel __attribute__((reqd_work_group_size(ZG_GROUP_ITEMS, 1, 1))) void skip_t
             slice /= 2;
         }
     }
-    skips[tile] = from > 0 && from >= deepest ? INT_MAX : from;
+    // A ray of no length needs the camera's cell alone, which draw_near has drawn.
+    skips[tile] = from >= deepest ? INT_MAX : from;
 }
 
 // Draws what is left of each ray.

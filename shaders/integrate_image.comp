@@ -398,7 +398,8 @@ void main() {
             slice /= 2;
         }
     }
-    skips[tile] = from > 0 && from >= deepest ? 0x7fffffff : from;
+    // A ray of no length needs the camera's cell alone, which draw_near has drawn.
+    skips[tile] = from >= deepest ? 0x7fffffff : from;
 }
 
 #else // PASS_DRAW_RAYS
