@@ -1,7 +1,9 @@
 #include "ops/integrate_image.h"
 
 #include "kernels/params/integrate_image.h"
+#include "zonegrid/errors.h"
 
+#include <fmt/format.h>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -157,12 +159,18 @@ void IntegrateImage::dispatch(const ImageRays& rays, const DeviceLocalMap& local
         fill(rays, local_map, *to_fill, params);
         params.tile_level = least_tile_level;
     }
+    const std::uint64_t sub_rays = rays.depths.size() << (2 * params.most_split);
+    if (sub_rays > std::numeric_limits<std::uint32_t>::max()) {
+        throw CapacityError(
+            fmt::format("an image of {} x {} pixels has {} sub-rays at this cell "
+                        "size: choose larger cells or a smaller image",
+                        rays.width_px, rays.height_px, sub_rays));
+    }
     const auto map = local_map.bindings();
     const std::array<const device::Buffer*, 6> bindings{
         map[0], map[1], map[2], &depths_.get(), &directions_.get(), &skips_.back().get()};
     device_.dispatch(draw_rays_, bindings, bytes_of(params),
-                     draw_rays_.groups_for(static_cast<std::uint32_t>(rays.depths.size())
-                                           << (2 * params.most_split)));
+                     draw_rays_.groups_for(static_cast<std::uint32_t>(sub_rays)));
 }
 
 void IntegrateImage::fill(const ImageRays& rays, const DeviceLocalMap& local_map,

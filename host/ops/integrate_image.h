@@ -22,7 +22,7 @@ public:
                             std::uint32_t group_items = device::default_group_items);
 
     /// Draws without waiting. `local_map` holds at least `reached_zones(rays)`, and nothing is
-    /// drawn in it yet.
+    /// drawn in it yet. Throws CapacityError beyond 2^32 sub-rays.
     void dispatch(const ImageRays& rays, const DeviceLocalMap& local_map);
 
 private:
