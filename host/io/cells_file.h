@@ -1,7 +1,6 @@
 #pragma once
 
-#include "io/output_file.h"
-#include "io/sha256.h"
+#include "io/zone_stream.h"
 #include "model/lattice.h"
 #include "zonegrid/objects.h"
 #include "zonegrid/options.h"
@@ -10,7 +9,6 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -22,9 +20,6 @@ class CellsFileWriter {
 public:
     /// Throws OutputError if the file cannot be created.
     CellsFileWriter(const std::filesystem::path& file, const MapperOptions& options);
-    CellsFileWriter(const CellsFileWriter&) = delete;
-    CellsFileWriter& operator=(const CellsFileWriter&) = delete;
-    ~CellsFileWriter();
 
     /// Throws OutputError if the file cannot be written.
     void add(const CellIndex& cell, int value);
@@ -34,17 +29,11 @@ public:
     void close();
 
 private:
-    class Compressor;
-
-    void write(std::span<const std::uint8_t> bytes);
     void flush_layer();
     std::vector<std::int8_t>& values_of(const ZoneIndex& zone);
 
-    OutputFile output_;
-    Sha256 sum_;
-    std::unique_ptr<Compressor> compressor_;
+    ZoneStreamWriter stream_;
     int zone_;
-    std::uint64_t zones_ = 0;
     std::int32_t layer_x_ = 0;
     std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::int8_t>> layer_;
     ZoneIndex last_zone_;

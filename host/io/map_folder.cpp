@@ -40,6 +40,19 @@ std::string digest_of(std::span<const Object> objects) {
     return digest.finish_hex();
 }
 
+std::string stated_objects_digest(const std::filesystem::path& folder) {
+    const std::filesystem::path file = folder / report_name;
+    const std::vector<std::uint8_t> bytes = read_file_bytes(file);
+    try {
+        return nlohmann::json::parse(bytes).at("digest").at("objects").get<std::string>();
+    } catch (const nlohmann::json::exception& error) {
+        throw InputError(file.string(), fmt::format("the report is damaged ({})", error.what()),
+                         "map the recording again");
+    }
+}
+
+} // namespace
+
 void require_map(const std::filesystem::path& folder) {
     std::error_code error;
     if (!std::filesystem::is_directory(folder, error)) {
@@ -53,19 +66,6 @@ void require_map(const std::filesystem::path& folder) {
         }
     }
 }
-
-std::string stated_objects_digest(const std::filesystem::path& folder) {
-    const std::filesystem::path file = folder / report_name;
-    const std::vector<std::uint8_t> bytes = read_file_bytes(file);
-    try {
-        return nlohmann::json::parse(bytes).at("digest").at("objects").get<std::string>();
-    } catch (const nlohmann::json::exception& error) {
-        throw InputError(file.string(), fmt::format("the report is damaged ({})", error.what()),
-                         "map the recording again");
-    }
-}
-
-} // namespace
 
 MapFolderContents write_map_files(const std::filesystem::path& folder, Mapper& mapper,
                                   std::optional<double> cut_height_m,

@@ -21,8 +21,10 @@ inline constexpr std::string_view objects_name = "objects.json";
 inline constexpr std::string_view profile_name = "profile.png";
 inline constexpr std::string_view profile3d_name = "profile_3d.png";
 
-inline constexpr std::array<std::string_view, 5> map_folder_names{
-    report_name, cells_name, objects_name, profile_name, profile3d_name};
+inline constexpr std::string_view history_name = "history.zgrid"; ///< only where asked for
+
+inline constexpr std::array<std::string_view, 6> map_folder_names{
+    report_name, cells_name, objects_name, profile_name, profile3d_name, history_name};
 
 /// What the files of a map, all but the report, say, and what it took to write them.
 struct MapFolderContents {
@@ -42,6 +44,9 @@ struct MapFolderContents {
                                                 std::optional<double> cut_height_m,
                                                 std::span<const Eigen::Vector3d> trajectory_m,
                                                 const ProfilePictureOptions& pictures);
+
+/// Throws InputError unless `folder` holds report, cells and objects.
+void require_map(const std::filesystem::path& folder);
 
 /// Hands the listing of the cells of the map in `folder` to `take`, piece by piece.
 /// Throws InputError if `folder` is no map or is damaged, before the first piece.

@@ -28,6 +28,8 @@ struct FusionRule {
 /// What adding a local map did to the grid.
 struct FusionResult {
     std::uint64_t cells_changed = 0;
+    /// Places of zones in which a cell has another value than before, ascending.
+    std::vector<std::uint32_t> values_changed;
     /// Places of zones in which a cell became occupied or ceased to be, ascending.
     std::vector<std::uint32_t> occupancy_changed;
 };

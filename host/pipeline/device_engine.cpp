@@ -157,6 +157,7 @@ FusionResult DeviceEngine::fuse_local_map() {
     for (std::uint32_t chunk = 0; chunk < by_chunk.size(); ++chunk) {
         fuse_chunk(chunk, by_chunk[chunk], result);
     }
+    std::ranges::sort(result.values_changed);
     std::ranges::sort(result.occupancy_changed);
     note_held();
     return result;
@@ -175,6 +176,9 @@ void DeviceEngine::fuse_chunk(std::uint32_t chunk, std::span<const std::size_t> 
     for (std::size_t n = 0; n < changes.size(); ++n) {
         const auto place = reserved_[reserved[n]];
         result.cells_changed += changes[n].values_changed;
+        if (changes[n].values_changed != 0) {
+            result.values_changed.push_back(place);
+        }
         if (changes[n].occupancies_changed != 0) {
             result.occupancy_changed.push_back(place);
         }

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <iterator>
 #include <set>
+#include <utility>
 
 namespace zonegrid {
 
@@ -44,6 +45,8 @@ public:
         check_scan(scan);
         return guard([&] { return integrate(scan); });
     }
+
+    void observe_zones(ZoneObserver observer) { observer_ = std::move(observer); }
 
     const std::vector<Object>& objects() {
         require_going_on();
@@ -241,6 +244,7 @@ private:
         while (!returning_.empty()) {
             grid_->draw_objects(returning_.back(), features_.cells(returning_.back()));
             features_.remember(returning_.back(), {});
+            show(returning_.back());
             returning_.pop_back();
             ++result.zones_entered;
         }
@@ -274,7 +278,17 @@ private:
         for (const auto place : fused.occupancy_changed) {
             changed_.insert(window_.zone_at(place));
         }
+        for (const auto place : fused.values_changed) {
+            show(window_.zone_at(place));
+        }
         zones_held_most_ = std::max<std::uint64_t>(zones_held_most_, grid_->held().size());
+    }
+
+    /// Hands a zone of the window that holds cells to the observer, if there is one.
+    void show(const ZoneIndex& zone) {
+        if (observer_) {
+            observer_(first_cell_of(zone, options_.zone), grid_->values(window_.place_of(zone)));
+        }
     }
 
     ZoneBits remembered_bits(const ZoneIndex& zone) const {
@@ -337,6 +351,7 @@ private:
     std::set<ZoneIndex> changed_; ///< zones in the window whose occupancy the objects have not
     std::uint64_t zones_held_most_ = 0;
     std::vector<ZoneIndex> returning_; ///< remembered zones in the window, still to be drawn
+    ZoneObserver observer_;            ///< may be empty
     std::string end_;                  ///< the error after which the map cannot go on; empty: none
 };
 
@@ -366,6 +381,10 @@ ImageResult Mapper::add_image(const DepthImage& image) {
 
 ImageResult Mapper::add_scan(const Scan& scan) {
     return implementation_->add_scan(scan);
+}
+
+void Mapper::observe_zones(ZoneObserver observer) {
+    implementation_->observe_zones(std::move(observer));
 }
 
 std::vector<Object> Mapper::objects() {

@@ -54,6 +54,9 @@ FusionResult fuse_local_map(const LocalMap& local_map, const FusionRule& rule, G
         local_map.copy_zone(place, statements);
         const auto change = fuse_zone(statements, rule, grid.touch(place));
         result.cells_changed += change.values;
+        if (change.values != 0) {
+            result.values_changed.push_back(place);
+        }
         if (change.occupancy != 0) {
             result.occupancy_changed.push_back(place);
         }

@@ -1,10 +1,14 @@
 #include "cli/command_fixture.h"
 
+#include "io/history_file.h"
 #include "io/recording.h"
 #include "zonegrid/mapper.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -132,6 +136,42 @@ TEST_F(MapTest, GivesTheSameMapAgain) {
                     read_file(std::string("again/") + name))
             << name;
     }
+}
+
+TEST_F(MapTest, KeepsAHistoryWhenAsked) {
+    write_recording();
+    ASSERT_EQ(run(map_command_line).exit_code, 0);
+    EXPECT_FALSE(exists("map/history.zgrid"));
+    ASSERT_EQ(
+        run("zonegrid map recording -o again --cell 0.1 --range 8 --frames 2: --history").exit_code,
+        0);
+    const StoredHistory history = read_history_file(path("again/history.zgrid"));
+    EXPECT_EQ(history.frames, 8U);
+    // Nothing left the window: the history's values are the map's, and images count in the
+    // recording.
+    std::map<CellIndex, int> values;
+    std::uint32_t least = CellStamp::never;
+    std::uint32_t most = 0;
+    for (const auto& [zone, known] : history.zones) {
+        for (std::uint32_t place = 0; place < known.values.size(); ++place) {
+            if (known.values[place] != 0) {
+                values[cell_at(zone, place, history.options.zone)] = known.values[place];
+            }
+        }
+        for (const auto& stamp : known.stamps) {
+            least = std::min(least, stamp.first_image);
+            most = std::max(most, stamp.first_image);
+        }
+    }
+    std::string lines;
+    for (const auto& [cell, value] : values) {
+        lines += fmt::format("{} {} {} {}\n", cell.x, cell.y, cell.z, value);
+    }
+    EXPECT_TRUE(lines == run("zonegrid dump again").output);
+    EXPECT_EQ(least, 2U);
+    EXPECT_EQ(most, 7U);
+    EXPECT_EQ(run("zonegrid map recording -o again --cell 0.1 --range 8 --overwrite").exit_code, 0);
+    EXPECT_FALSE(exists("again/history.zgrid"));
 }
 
 TEST_F(MapTest, SkipsAndListsDamagedImages) {

@@ -1,5 +1,6 @@
 #include "command.h"
 #include "interruption.h"
+#include "io/history_file.h"
 #include "io/new_folder.h"
 #include "io/output_file.h"
 #include "map_run.h"
@@ -10,6 +11,8 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
+#include <span>
 
 namespace zonegrid {
 namespace {
@@ -19,9 +22,13 @@ constexpr const char* description =
     "the map, its objects and pictures of its height profile to a new folder.";
 
 constexpr const char* help_footer =
-    "DIR holds report.json, profile.png, profile_3d.png, objects.json and cells.zgrid\n"
-    "(docs/formats.md). It appears whole or not at all. Images that cannot be read or have no\n"
-    "navigation are skipped, counted and listed in the report.\n"
+    "DIR holds report.json, profile.png, profile_3d.png, objects.json, cells.zgrid and, with\n"
+    "--history, history.zgrid (docs/formats.md). It appears whole or not at all. Images that "
+    "cannot\n"
+    "be read or have no navigation are skipped, counted and listed in the report.\n"
+    "\n"
+    "cells.zgrid holds the cells of the window at the end. zonegrid evaluate judges more of a map\n"
+    "that was made with --history.\n"
     "\n"
     "A configuration file has the options' names: cell = 0.25, model = \"span\". Options of the\n"
     "command line win over it.\n"
@@ -42,14 +49,23 @@ struct MapCommand {
     bool dump_config = false;
 };
 
-/// Replays the recording, with progress on a terminal.
-ReplaySummary replay_with_progress(const Recording& recording, const FrameSpan& span,
-                                   Mapper& mapper, const InterruptionGuard& interruption,
-                                   bool quiet) {
-    Progress progress(span.last - span.first, !quiet);
-    return replay(recording, span, mapper, [&](const ReplaySummary& so_far) {
+/// Replays the recording, with progress on a terminal. `history`, if any, sees all of it.
+ReplaySummary replay_with_progress(const MapRun& run, Mapper& mapper, MapHistory* history,
+                                   const InterruptionGuard& interruption) {
+    const FrameSpan& span = run.span;
+    Progress progress(span.last - span.first, !run.settings.quiet);
+    if (history != nullptr) {
+        mapper.observe_zones(
+            [history](const CellIndex& first, std::span<const std::int8_t> values) {
+                history->take(first, values);
+            });
+    }
+    return replay(run.recording, span, mapper, [&](const ReplaySummary& so_far) {
         interruption.check();
         progress.show(so_far.images);
+        if (history != nullptr) {
+            history->begin_image(static_cast<std::uint32_t>(span.first + so_far.images));
+        }
     });
 }
 
@@ -90,12 +106,20 @@ void map(const MapSettings& settings) {
     const InterruptionGuard interruption;
     NewFolder folder(*settings.output, settings.overwrite ? std::span(map_folder_names)
                                                           : std::span<const std::string_view>());
-    run.replay = replay_with_progress(*recording, run.span, mapper, interruption, settings.quiet);
+    std::optional<MapHistory> history;
+    if (settings.history) {
+        history.emplace(options);
+    }
+    run.replay = replay_with_progress(run, mapper, history ? &*history : nullptr, interruption);
     if (run.replay.integrated == 0) {
         throw Error(explain_no_image(run.replay));
     }
     run.contents = write_map_files(folder.path(), mapper, settings.cut_height,
                                    run.replay.trajectory_m, picture_options(run));
+    if (history) {
+        write_history_file(folder.path() / history_name, *history,
+                           static_cast<std::uint32_t>(recording->frames().size()));
+    }
     run.statistics = mapper.statistics();
     run.warnings = find_map_warnings(run.replay, run.statistics, options);
     run.memory_most_bytes = memory_most_bytes();

@@ -109,6 +109,10 @@ void add_output_settings(SettingTable& table, MapSettings& settings) {
         {[](const std::string& text) { return !text.empty(); }, "the name of the folder to make"});
     output.short_name = "o";
     table.add(std::move(output));
+    table.add(switch_setting("history",
+                             "also write history.zgrid: what was last known of every cell ever in "
+                             "the window, and since when",
+                             settings.history));
     table.add(switch_setting("overwrite", "replace DIR if it holds a map", settings.overwrite));
     table.add(bind_setting("cut-height", "M",
                            "leave cells higher than this above the origin out of the pictures, "

@@ -18,6 +18,7 @@ struct MapSettings {
     std::optional<std::string> output;
     std::optional<std::string> frames;
     std::optional<double> cut_height;
+    bool history = false;
     bool overwrite = false;
     bool json = false;
     bool quiet = false;

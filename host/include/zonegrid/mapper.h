@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace zonegrid {
@@ -54,6 +55,11 @@ class Window;
 using GridEngineMaker = std::function<std::unique_ptr<GridEngine>(
     const MapperOptions&, const std::optional<Camera>&, const Window&)>;
 
+/// Gets the values of one zone: its first cell, then all of its cells, order [z][y][x]. The values
+/// are valid during the call.
+using ZoneObserver =
+    std::function<void(const CellIndex& first_cell, std::span<const std::int8_t> values)>;
+
 /// The obstacle mapper: navigation in, image in, map out. Needs no file.
 ///
 /// Not safe for concurrent calls on one Mapper; two Mappers are independent.
@@ -84,6 +90,14 @@ public:
 
     /// Integrates and fuses one scan (always with the `line` model).
     ImageResult add_scan(const Scan& scan);
+
+    /// From now on `observer` gets, during `add_image` and `add_scan`, each zone in which a cell
+    /// has another value than before, and each that is drawn back from the feature map. Who keeps
+    /// the last values of each zone so knows also what was in zones that left the window. An empty
+    /// observer ends it. Costs a copy of these zones from the device, and nothing without one.
+    /// What it throws comes out of the call that it watches, and ends the map unless it is an
+    /// Error.
+    void observe_zones(ZoneObserver observer);
 
     /// All objects, in the window and remembered, sorted by identifier. Zones whose occupancy did
     /// not change since the last call are not labelled again.
