@@ -55,11 +55,13 @@ void draw_profile_3d(const HeightProfile& profile, std::span<const Eigen::Vector
     }
     Canvas canvas(options.width_px, options.height_px);
     const PictureFrame frame = picture_frame(canvas.width_px(), canvas.height_px());
-    const GroundPlan plan = ground_plan(profile, trajectory_m);
-    const HeightRanges ranges = height_ranges(profile, plan);
+    const HeightProfile& scale = options.scale == nullptr ? profile : *options.scale;
+    const GroundPlan plan = ground_plan(scale, trajectory_m);
+    const HeightRanges ranges = height_ranges(scale, plan);
     const SceneBox box = scene_box(plan, ranges.drawn, profile.cell_m, trajectory_m);
     const TileGrid tiles(profile, ranges.drawn, most_tiles);
-    const PerspectiveView view = choose_view(box, frame, tiles);
+    const PerspectiveView view = choose_view(
+        box, frame, options.scale == nullptr ? tiles : TileGrid(scale, ranges.drawn, most_tiles));
 
     // Beyond 4 K the samples would cost more memory than they add sharpness.
     const int samples = std::max(canvas.width_px(), canvas.height_px()) <= 4096 ? 2 : 1;

@@ -120,9 +120,10 @@ void draw_profile(const HeightProfile& profile, std::span<const Eigen::Vector3d>
     }
     Canvas canvas(options.width_px, options.height_px);
     const PictureFrame frame = picture_frame(canvas.width_px(), canvas.height_px());
-    const GroundPlan plan = ground_plan(profile, trajectory_m);
+    const HeightProfile& scale = options.scale == nullptr ? profile : *options.scale;
+    const GroundPlan plan = ground_plan(scale, trajectory_m);
     const ProfileLayout layout = layout_profile(frame, plan, profile.cell_m);
-    const HeightRange range = height_ranges(profile, plan).colour;
+    const HeightRange range = height_ranges(scale, plan).colour;
 
     canvas.fill_rectangle(frame.left_px, frame.top_px, frame.width_px, frame.height_px,
                           unknown_colour);

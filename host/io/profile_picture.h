@@ -16,6 +16,10 @@ struct ProfilePictureOptions {
     int height_px = 900;
     std::string title;    ///< first line, e.g. the recording's name
     std::string subtitle; ///< second line, e.g. "cell 0.10 m, 200 images, line model"
+    /// The profile whose extent and heights decide part shown, colours and view, so that pictures
+    /// of several profiles can be compared; none: the one that is drawn. It must have columns, and
+    /// the drawn one must lie within its extent.
+    const HeightProfile* scale = nullptr;
 };
 
 /// Draws the height profile from above: north up, east to the right, axes in metres at equal scale,

@@ -173,7 +173,7 @@ void fly(std::uint64_t seed, const std::string& backend, Seen& seen) {
     PlainHistory plain(options);
     double x_m = 0.0;
     for (std::uint32_t image = 3; image < 17; ++image) {
-        x_m += (image < 10 ? 1.0 : -1.0) * random.real(0.0, 9.0);
+        x_m += (image < 10 ? 1.0 : -1.0) * random.real(0.0, 16.0);
         const auto depth_m = oracle::random_depths(random, camera, options, oracle::Picture::step);
         history.begin_image(image);
         const auto result = scenes::show(mapper, 0.1 * image, {x_m, random.real(-1.0, 1.0), -3.0},
@@ -192,13 +192,13 @@ void fly(std::uint64_t seed, const std::string& backend, Seen& seen) {
 
 void fly_many(const std::string& backend) {
     Seen seen;
-    const std::uint64_t count = case_count(25);
+    const std::uint64_t count = case_count(15);
     for (std::uint64_t seed = 1; seed <= count; ++seed) {
         SCOPED_TRACE(backend + ", seed " + std::to_string(seed));
         fly(seed, backend, seen);
         ASSERT_FALSE(testing::Test::HasFatalFailure());
     }
-    if (count >= 25) {
+    if (count >= 15) {
         EXPECT_GT(seen.cells, 10000U);
         EXPECT_GT(seen.cleared, 50U);
         EXPECT_GT(seen.again, 10U);

@@ -15,6 +15,9 @@ void add_inspect_command(CLI::App& app);
 void add_devices_command(CLI::App& app);
 void add_check_command(CLI::App& app);
 void add_doctor_command(CLI::App& app);
+#ifdef ZONEGRID_SIMULATION
+void add_evaluate_command(CLI::App& app);
+#endif
 
 /// A device's map differs from the reference's; exit code 4.
 class CheckFailed : public Error {
