@@ -134,7 +134,7 @@ struct DispatchTime {
 
 struct DeviceOptions {
     bool timestamps = false;    ///< time every dispatch
-    bool unified_memory = true; ///< false: copy as if the device had its own memory, for tests
+    bool unified_memory = true; ///< false: copy as if the device had its own memory
     /// Most that its buffers hold together, so that others can use the device too; 0: no limit.
     std::uint64_t memory_limit_bytes = 0;
 };

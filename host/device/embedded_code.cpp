@@ -5,6 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace zonegrid::device {
 
@@ -35,6 +39,45 @@ std::string only_entry(std::string_view source, std::string_view entry) {
         keep = keep || line == "}\n";
     }
     return text;
+}
+
+namespace {
+
+/// "file:line" of each line of a text with #line directives.
+std::vector<std::string> origins_of(std::string_view source) {
+    static const std::regex directive(R"re(#line (\d+) "(.+)")re");
+    std::vector<std::string> origins;
+    std::string file;
+    std::size_t line = 0;
+    std::istringstream lines{std::string(source)};
+    for (std::string text; std::getline(lines, text);) {
+        origins.push_back(fmt::format("{}:{}", file, line));
+        std::smatch match;
+        if (std::regex_match(text, match, directive)) {
+            line = std::stoul(match[1]);
+            file = match[2];
+        } else {
+            ++line;
+        }
+    }
+    return origins;
+}
+
+} // namespace
+
+std::string name_lines(std::string_view log, std::string_view source) {
+    static const std::regex place(R"(<kernel>:(\d{1,6}))");
+    const auto origins = origins_of(source);
+    std::string text(log);
+    std::string named;
+    std::smatch match;
+    while (std::regex_search(text, match, place)) {
+        const std::size_t line = std::stoul(match[1]);
+        const bool known = line >= 1 && line <= origins.size();
+        named += match.prefix().str() + (known ? origins[line - 1] : match.str());
+        text = match.suffix();
+    }
+    return named + text;
 }
 
 } // namespace zonegrid::device

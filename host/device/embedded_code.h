@@ -33,4 +33,8 @@ struct EmbeddedShader {
 /// and ends with the first line `}` after that.
 [[nodiscard]] std::string only_entry(std::string_view source, std::string_view entry);
 
+/// A driver's build log with `<kernel>:LINE` replaced by file and line: NVIDIA's driver counts the
+/// lines of the whole text and does not follow its #line directives.
+[[nodiscard]] std::string name_lines(std::string_view log, std::string_view source);
+
 } // namespace zonegrid::device

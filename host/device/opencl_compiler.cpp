@@ -81,7 +81,7 @@ OpenClKernel OpenClCompiler::make_from_source(const KernelSpec& spec, const std:
             info_.id(),
             fmt::format("clBuildProgram failed with {} for kernels/{}.cl on {} ({}), its log: {}",
                         opencl_code_name(result), spec.operation, info_.name, info_.driver,
-                        build_log(program.get())),
+                        name_lines(build_log(program.get()), source)),
             "correct the kernel, or look for a newer driver");
     }
     auto kernel = find_kernel(program.get(), spec, result);

@@ -32,6 +32,8 @@ public:
     /// Throws DeviceError if the library lacks the function.
     [[nodiscard]] Symbol find(const char* function) const;
 
+    [[nodiscard]] const std::string& name() const { return name_; }
+
 private:
     std::string backend_;
     std::string name_;

@@ -4,6 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
 namespace zonegrid::device {
 
 namespace {
@@ -28,8 +33,9 @@ VkInstance make_instance(const VulkanLoader& loader) {
     VkInstance instance = nullptr;
     const VkResult code = loader.create_instance(&info, nullptr, &instance);
     if (code == VK_ERROR_INCOMPATIBLE_DRIVER) {
-        throw DeviceError("vulkan", "no driver is installed",
-                          "install the one of your device, or mesa-vulkan-drivers for the CPU");
+        throw DeviceError("vulkan", "no driver is installed, or none that is can be used",
+                          "install the one of your device, or mesa-vulkan-drivers for the CPU; "
+                          "with VK_LOADER_DEBUG=error,warn,driver the loader says what it tried");
     }
     check_vulkan(code, "vkCreateInstance", "vulkan");
     return instance;
@@ -54,8 +60,19 @@ const char* remedy_for(VkResult code) {
 
 VulkanInstance::VulkanInstance() : instance_(make_instance(loader_)) {}
 
-VulkanInstance::~VulkanInstance() {
-    destroy_instance(instance_, nullptr);
+const VulkanInstance& VulkanInstance::get_shared() {
+    struct Kept {
+        std::mutex lock;
+        std::map<std::string, std::unique_ptr<const VulkanInstance>> by_loader;
+    };
+    // Never destroyed: drivers have exit handlers of their own, and the order is not known.
+    static Kept& kept = *std::make_unique<Kept>().release();
+    const std::lock_guard guard(kept.lock);
+    auto& instance = kept.by_loader[VulkanLoader().name()];
+    if (!instance) {
+        instance.reset(new VulkanInstance);
+    }
+    return *instance;
 }
 
 Symbol VulkanInstance::find(const char* function) const {

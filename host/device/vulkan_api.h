@@ -16,6 +16,8 @@ class VulkanLoader {
 public:
     PFN_vkGetInstanceProcAddr get_instance_function = library_.find("vkGetInstanceProcAddr");
     PFN_vkCreateInstance create_instance = library_.find("vkCreateInstance");
+
+    [[nodiscard]] const std::string& name() const { return library_.name(); }
 };
 
 /// An instance and its functions, loaded at run time.
@@ -24,16 +26,20 @@ class VulkanInstance {
     VkInstance instance_;
     [[nodiscard]] Symbol find(const char* function) const;
 
-public:
-    /// Throws DeviceError if the loader finds no driver.
     VulkanInstance();
+
+public:
+    /// The process's instance of the loader that the environment names now; made at the first call
+    /// and kept to the end of the process. A driver that goes with its instance cannot be loaded
+    /// any number of times: NVIDIA's leaves some memory for threads behind each time, and after
+    /// about ten the loader finds no driver any more.
+    /// Throws DeviceError if there is no loader, or if it finds no driver.
+    static const VulkanInstance& get_shared();
     VulkanInstance(const VulkanInstance&) = delete;
     VulkanInstance& operator=(const VulkanInstance&) = delete;
-    ~VulkanInstance();
 
     [[nodiscard]] VkInstance get() const { return instance_; }
 
-    PFN_vkDestroyInstance destroy_instance = find("vkDestroyInstance");
     PFN_vkEnumeratePhysicalDevices enumerate_devices = find("vkEnumeratePhysicalDevices");
     PFN_vkGetPhysicalDeviceProperties get_properties = find("vkGetPhysicalDeviceProperties");
     PFN_vkGetPhysicalDeviceProperties2 get_properties_2 = find("vkGetPhysicalDeviceProperties2");

@@ -36,7 +36,7 @@ private:
     [[nodiscard]] VkDevice open() const;
 
     std::string id_;
-    VulkanInstance instance_;
+    const VulkanInstance& instance_ = VulkanInstance::get_shared();
     VkPhysicalDevice physical_;
     VulkanQueueFamily family_;
     VkPhysicalDeviceProperties properties_{};

@@ -159,8 +159,7 @@ VulkanDevices find_vulkan_devices(const VulkanInstance& instance) {
 }
 
 DeviceList list_vulkan_devices() {
-    const VulkanInstance instance;
-    return find_vulkan_devices(instance).list;
+    return find_vulkan_devices(VulkanInstance::get_shared()).list;
 }
 
 } // namespace zonegrid::device

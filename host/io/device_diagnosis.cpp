@@ -90,7 +90,7 @@ void add_missing(const std::string& sentence, Problems& problems) {
     const bool explained = std::ranges::any_of(
         problems, [&](const DeviceProblem& known) { return known.problem.starts_with(backend); });
     if (!explained) {
-        const std::size_t end = sentence.rfind("; ");
+        const std::size_t end = sentence.find("; ");
         problems.push_back({sentence.substr(0, end), end == std::string::npos
                                                          ? "see docs/backends.md"
                                                          : sentence.substr(end + 2)});

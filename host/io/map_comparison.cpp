@@ -22,6 +22,8 @@ void add_bytes(Sha256& sum, std::span<const Element> elements) {
 
 std::string digest_of(Mapper& mapper) {
     Sha256 sum;
+    const auto statements = statements_of(mapper);
+    add_bytes(sum, std::span(statements));
     const auto cells = cells_of(mapper);
     add_bytes(sum, std::span(cells));
     for (const Object& object : mapper.objects()) {

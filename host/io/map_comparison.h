@@ -25,7 +25,7 @@ struct MapStep {
     std::uint64_t cells_changed = 0; ///< summed over the images so far
     std::uint64_t zones_entered = 0;
     std::uint64_t zones_left = 0;
-    std::string digest; ///< of cells, objects and profile; empty where it was not taken
+    std::string digest; ///< of local map, cells, objects and profile; empty where it was not taken
     friend bool operator==(const MapStep&, const MapStep&) = default;
 };
 
@@ -33,7 +33,8 @@ struct MapStep {
 struct MapDifference {
     std::size_t images = 0; ///< after so many images of the span; equal after one fewer
     std::string frame;      ///< file of the last of them
-    std::string what;       ///< "cells", "objects", "height profile", "counts" or "two runs"
+    std::string what;       ///< "local map", "cells", "objects", "height profile", "counts" or
+                            ///< "two runs"
     std::string operation;  ///< whose work it is, as far as the values tell (docs/model.md)
     std::string detail;     ///< for a person: the first place, both values, how many differ
 };

@@ -1,6 +1,5 @@
 #include "io/map_difference.h"
 
-#include "model/fusion.h"
 #include "model/lattice.h"
 
 #include <fmt/format.h>
@@ -8,21 +7,15 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <iterator>
+#include <optional>
 
 namespace zonegrid {
 namespace {
 
 std::string text_of(const CellIndex& cell) {
     return fmt::format("({}, {}, {})", cell.x, cell.y, cell.z);
-}
-
-/// Whether one image, right or wrong, can make `after` of `before`.
-bool can_follow(std::int32_t before, std::int32_t after, const FusionRule& rule) {
-    const auto fused = [&](std::int32_t delta) {
-        return std::clamp(before + delta, -rule.limit, rule.limit);
-    };
-    return after == before || after == fused(rule.hit) || after == fused(-rule.miss);
 }
 
 bool holds(const MapStatistics& map, const CellIndex& cell) {
@@ -33,16 +26,11 @@ bool holds(const MapStatistics& map, const CellIndex& cell) {
            inside(cell.z, map.window_first_cell.z);
 }
 
-/// Which operation gave a cell its wrong value. A value that fusion can make of the one before
-/// comes from a wrong statement of the image; any other from fusion itself. In a zone that may have
-/// come back with this image, the value before is what was drawn, rightly or wrongly.
-std::string operation_of(const LastImage& last, const CellIndex& cell, std::int32_t value) {
-    const FusionRule rule(last.before.options());
+/// Which operation gave a cell its wrong value, where the image says the same of all cells. In a
+/// zone that may have come back with this image it may have been drawn wrongly.
+std::string operation_of(const LastImage& last, const CellIndex& cell) {
     const bool drawn = last.zones_entered && !holds(last.before.statistics(), cell);
-    const bool fused = can_follow(last.before.value(cell), value, rule) ||
-                       (drawn && can_follow(rule.drawn(), value, rule));
-    return fmt::format("{}{}", drawn ? "draw_objects or " : "",
-                       fused ? last.integration : "fuse_local_map");
+    return drawn ? "draw_objects or fuse_local_map" : "fuse_local_map";
 }
 
 /// The cells in which two sorted lists differ, each once.
@@ -57,21 +45,60 @@ std::vector<CellIndex> differing_cells(const std::vector<CellValue>& expected,
     return cells;
 }
 
-MapDifference difference_of_cells(const LastImage& last, const Mapper& expected,
-                                  const Mapper& actual) {
-    const auto cells = differing_cells(cells_of(expected), cells_of(actual));
+std::int32_t value_in(const std::vector<CellValue>& values, const CellIndex& cell) {
+    const auto found = std::ranges::lower_bound(values, cell, {}, &CellValue::cell);
+    return found != values.end() && found->cell == cell ? found->value : 0;
+}
+
+/// The first cell in which two sorted lists differ, and how many do; no cell if none does.
+struct DifferingCells {
+    std::optional<CellIndex> first;
+    std::string detail;
+};
+
+DifferingCells compare_cells(const std::vector<CellValue>& expected,
+                             const std::vector<CellValue>& actual, std::int32_t zone_edge,
+                             const std::function<std::string(std::int32_t)>& name_of_value) {
+    const auto cells = differing_cells(expected, actual);
     if (cells.empty()) {
         return {};
     }
     const CellIndex& first = cells.front();
-    const ZoneIndex zone = zone_of(first, expected.options().zone);
+    const ZoneIndex zone = zone_of(first, zone_edge);
+    return {
+        first,
+        fmt::format("first cell {} in zone ({}, {}, {}): {}, expected {}; {} cells differ",
+                    text_of(first), zone.x, zone.y, zone.z, name_of_value(value_in(actual, first)),
+                    name_of_value(value_in(expected, first)), cells.size())};
+}
+
+MapDifference difference_of_local_maps(const LastImage& last, const Mapper& expected,
+                                       const Mapper& actual) {
+    const auto found =
+        compare_cells(statements_of(expected), statements_of(actual), expected.options().zone,
+                      [](std::int32_t statement) -> std::string {
+                          return statement == 0 ? "nothing" : statement > 0 ? "occupied" : "free";
+                      });
     MapDifference difference;
-    difference.what = "cells";
-    difference.operation = operation_of(last, first, actual.value(first));
-    difference.detail =
-        fmt::format("first cell {} in zone ({}, {}, {}): value {}, expected {}; {} cells differ",
-                    text_of(first), zone.x, zone.y, zone.z, actual.value(first),
-                    expected.value(first), cells.size());
+    if (found.first) {
+        difference.what = "local map";
+        difference.operation = last.integration;
+        difference.detail = found.detail;
+    }
+    return difference;
+}
+
+MapDifference difference_of_cells(const LastImage& last, const Mapper& expected,
+                                  const Mapper& actual) {
+    const auto found =
+        compare_cells(cells_of(expected), cells_of(actual), expected.options().zone,
+                      [](std::int32_t value) { return fmt::format("value {}", value); });
+    MapDifference difference;
+    if (found.first) {
+        difference.what = "cells";
+        difference.operation = operation_of(last, *found.first);
+        difference.detail = found.detail;
+    }
     return difference;
 }
 
@@ -140,6 +167,15 @@ std::vector<CellValue> cells_of(const Mapper& mapper) {
     return cells;
 }
 
+std::vector<CellValue> statements_of(const Mapper& mapper) {
+    std::vector<CellValue> statements;
+    mapper.for_each_statement([&](const CellIndex& cell, bool occupied) {
+        statements.push_back({cell, occupied ? 1 : -1});
+    });
+    std::ranges::sort(statements);
+    return statements;
+}
+
 MapDifference difference_of_objects(std::span<const Object> expected,
                                     std::span<const Object> actual) {
     const auto [one, other] = std::ranges::mismatch(expected, actual);
@@ -165,7 +201,10 @@ MapDifference difference_of_objects(std::span<const Object> expected,
 }
 
 MapDifference difference_of_maps(const LastImage& last, Mapper& expected, Mapper& actual) {
-    MapDifference difference = difference_of_cells(last, expected, actual);
+    MapDifference difference = difference_of_local_maps(last, expected, actual);
+    if (difference.what.empty()) {
+        difference = difference_of_cells(last, expected, actual);
+    }
     if (difference.what.empty()) {
         difference = difference_of_objects(expected.objects(), actual.objects());
     }

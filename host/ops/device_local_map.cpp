@@ -51,6 +51,21 @@ void DeviceLocalMap::reserve(std::span<const std::uint32_t> places) {
     }
 }
 
+void DeviceLocalMap::download_zone(std::size_t i, std::span<std::uint8_t> statements) const {
+    const std::size_t plane = layout_.plane_words();
+    std::vector<std::uint32_t> planes(2 * plane);
+    device_.download(*planes_, slot_of(i) * layout_.local_bytes(),
+                     std::as_writable_bytes(std::span(planes)));
+    for (std::size_t cell = 0; cell < statements.size(); ++cell) {
+        const auto says = [&](std::size_t first) {
+            return (planes[first + cell / 32] >> (cell % 32) & 1U) != 0;
+        };
+        statements[cell] = says(plane) ? ZG_STATEMENT_OCCUPIED
+                           : says(0)   ? ZG_STATEMENT_FREE
+                                       : ZG_STATEMENT_NOTHING;
+    }
+}
+
 void DeviceLocalMap::check() {
     std::uint32_t faults = 0;
     device_.download(faults_, 0, std::as_writable_bytes(std::span(&faults, 1)));

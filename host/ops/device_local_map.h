@@ -40,6 +40,10 @@ public:
     [[nodiscard]] std::uint32_t zone_count() const { return zone_count_; }
     [[nodiscard]] const device::Buffer& places() const { return places_; }
 
+    /// Waits and copies what is said of each cell of the i-th reserved zone: ZG_STATEMENT_*, order
+    /// [z][y][x].
+    void download_zone(std::size_t i, std::span<std::uint8_t> statements) const;
+
     /// Waits. Throws std::logic_error if a ray entered a zone that was not reserved.
     void check();
 

@@ -17,6 +17,7 @@ namespace {
 device::DeviceOptions device_options(const MapperOptions& options) {
     device::DeviceOptions chosen;
     chosen.memory_limit_bytes = options.device_memory_bytes;
+    chosen.unified_memory = options.device_shared_memory;
     return chosen;
 }
 
@@ -92,6 +93,7 @@ void DeviceEngine::move_to(const Window& window,
     }
     slots_ = std::move(slots);
     window_ = window;
+    drawn_ = false;
     note_held();
 }
 
@@ -113,16 +115,19 @@ void DeviceEngine::integrate_image(const ImageRays& rays) {
     reserve(ops::reached_zones(rays, window_));
     take_memory([&] { integrate_image_.dispatch(rays, local_map_); });
     local_map_.check();
+    drawn_ = true;
 }
 
 void DeviceEngine::integrate_scan(const ScanRays& scan) {
     reserve(ops::reached_zones(scan, window_));
     take_memory([&] { integrate_scan_.dispatch(scan, local_map_); });
     local_map_.check();
+    drawn_ = true;
 }
 
 void DeviceEngine::reserve(std::vector<std::uint32_t> places) {
     reserved_ = std::move(places);
+    drawn_ = false;
     take_memory([&] { local_map_.reserve(reserved_); });
 }
 
@@ -186,6 +191,24 @@ void DeviceEngine::fuse_chunk(std::uint32_t chunk, std::span<const std::size_t> 
         if (changes[n].cells_stated == 0 && !std::ranges::binary_search(held_, place)) {
             grid_.give_back(slots_.at(place));
             slots_.erase(place);
+        }
+    }
+}
+
+void DeviceEngine::visit_local_map(
+    const std::function<void(std::uint32_t, std::span<const std::uint8_t>)>& visit) {
+    if (!drawn_) {
+        return;
+    }
+    std::map<std::uint32_t, std::size_t> by_place;
+    for (std::size_t i = 0; i < reserved_.size(); ++i) {
+        by_place.emplace(reserved_[i], i);
+    }
+    std::vector<std::uint8_t> statements(values_.size());
+    for (const auto& [place, i] : by_place) {
+        local_map_.download_zone(i, statements);
+        if (std::ranges::any_of(statements, [](auto statement) { return statement != 0; })) {
+            visit(place, statements);
         }
     }
 }

@@ -33,6 +33,8 @@ public:
     void integrate_image(const ImageRays& rays) override;
     void integrate_scan(const ScanRays& scan) override;
     FusionResult fuse_local_map() override;
+    void visit_local_map(
+        const std::function<void(std::uint32_t, std::span<const std::uint8_t>)>& visit) override;
     [[nodiscard]] std::span<const std::uint32_t> held() const override { return held_; }
     [[nodiscard]] bool holds(std::uint32_t place) const override { return slots_.contains(place); }
     void track(std::span<const ZoneIndex> changed) override;
@@ -84,6 +86,7 @@ private:
     std::map<std::uint32_t, Slot> slots_; ///< of the zones that hold cells, by place
     std::vector<std::uint32_t> held_;     ///< their places
     std::vector<std::uint32_t> reserved_; ///< places of the local map's zones
+    bool drawn_ = false;                  ///< whether the local map is that of the last image
     std::vector<std::int8_t> values_;     ///< of the zone asked for last
 };
 

@@ -43,6 +43,13 @@ public:
     virtual void integrate_scan(const ScanRays& scan) = 0;
     virtual FusionResult fuse_local_map() = 0;
 
+    /// Calls `visit` for each zone of which the last image or scan says something, by its place:
+    /// ZG_STATEMENT_* of all its cells, order [z][y][x]. For none if that could not be drawn, or if
+    /// the window has moved since.
+    virtual void visit_local_map(
+        const std::function<void(std::uint32_t place, std::span<const std::uint8_t> statements)>&
+            visit) = 0;
+
     /// Places of the zones that hold cells, in no particular order.
     [[nodiscard]] virtual std::span<const std::uint32_t> held() const = 0;
     [[nodiscard]] virtual bool holds(std::uint32_t place) const = 0;

@@ -103,6 +103,18 @@ public:
         }
     }
 
+    void for_each_statement(const std::function<void(const CellIndex&, bool)>& visit) const {
+        require_going_on();
+        grid_->visit_local_map([&](std::uint32_t place, std::span<const std::uint8_t> statements) {
+            const ZoneIndex zone = window_.zone_at(place);
+            for (std::uint32_t i = 0; i < statements.size(); ++i) {
+                if (statements[i] != ZG_STATEMENT_NOTHING) {
+                    visit(cell_at(zone, i, options_.zone), statements[i] == ZG_STATEMENT_OCCUPIED);
+                }
+            }
+        });
+    }
+
     MapStatistics statistics() const {
         require_going_on();
         MapStatistics statistics;
@@ -401,6 +413,10 @@ int Mapper::value(const CellIndex& cell) const {
 
 void Mapper::for_each_cell(const std::function<void(const CellIndex&, int)>& visit) const {
     implementation_->for_each_cell(visit);
+}
+
+void Mapper::for_each_statement(const std::function<void(const CellIndex&, bool)>& visit) const {
+    implementation_->for_each_statement(visit);
 }
 
 MapStatistics Mapper::statistics() const {

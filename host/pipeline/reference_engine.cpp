@@ -38,6 +38,16 @@ FusionResult ReferenceEngine::fuse_local_map() {
     return reference::fuse_local_map(local_map_, rule_, grid_);
 }
 
+void ReferenceEngine::visit_local_map(
+    const std::function<void(std::uint32_t, std::span<const std::uint8_t>)>& visit) {
+    const auto edge = static_cast<std::size_t>(grid_.window().zone_edge());
+    std::vector<std::uint8_t> statements(edge * edge * edge);
+    for (const auto place : local_map_.zones()) {
+        local_map_.copy_zone(place, statements);
+        visit(place, statements);
+    }
+}
+
 void ReferenceEngine::track(std::span<const ZoneIndex> changed) {
     for (const auto& zone : changed) {
         tracker_.set_zone(zone, occupied(grid_.window().place_of(zone)));

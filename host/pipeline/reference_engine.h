@@ -18,6 +18,8 @@ public:
     void integrate_image(const ImageRays& rays) override;
     void integrate_scan(const ScanRays& scan) override;
     FusionResult fuse_local_map() override;
+    void visit_local_map(
+        const std::function<void(std::uint32_t, std::span<const std::uint8_t>)>& visit) override;
     [[nodiscard]] std::span<const std::uint32_t> held() const override { return grid_.held(); }
     [[nodiscard]] bool holds(std::uint32_t place) const override {
         return !grid_.find(place).empty();

@@ -88,6 +88,24 @@ TEST_F(BackendChoiceTest, AutoTakesTheReferenceWhereThereIsNoDevice) {
     EXPECT_THAT(backend["reason"], HasSubstr("libnone.so"));
 }
 
+TEST_F(BackendChoiceTest, LimitsADevicesMemoryAndCopiesWhereAsked) {
+    write_recording();
+    const auto usable = device::usable_devices(device::list_devices());
+    if (usable.empty()) {
+        GTEST_SKIP() << "no device here";
+    }
+    const std::string on = "--backend " + usable.front().id();
+    static_cast<void>(backend_after(on));
+    const auto digest = read_json("map/report.json")["digest"];
+    static_cast<void>(backend_after(on + " --copy-memory --device-memory 4000"));
+    EXPECT_EQ(read_json("map/report.json")["digest"], digest);
+    const auto result =
+        run("zonegrid map recording -o small --cell 0.2 --device-memory 0.01 " + on);
+    EXPECT_NE(result.exit_code, 0);
+    EXPECT_THAT(result.errors, one_line_with("of its limit of 0.0 MB", "choose a shorter range"));
+    EXPECT_FALSE(exists("small"));
+}
+
 TEST_F(BackendChoiceTest, GivesTheSameMapWhateverComputes) {
     write_recording();
     static_cast<void>(backend_after(""));

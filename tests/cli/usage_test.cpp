@@ -50,6 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
                       map_option("--backend opencl:0 --device 1", {"opencl:0", "--device"}),
                       map_option("--backend auto --device 1", {"auto", "--device"}),
                       map_option("--device 1", {"device 1", "backend"}),
+                      map_option("--device-memory 0", {"--device-memory", "above 0"}),
                       map_option("--device ''", {"--device", "part of its name"}),
                       WrongUsage{"check", {"RECORDING", "--generated"}},
                       WrongUsage{"check recording --generated 1", {"RECORDING", "--generated"}},

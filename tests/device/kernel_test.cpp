@@ -248,6 +248,16 @@ TEST(EmbeddedCode, IsCutToOneKernelLineForLine) {
     EXPECT_EQ(device::only_entry("", "one"), "");
 }
 
+TEST(EmbeddedCode, NamesLinesThatADriverCountsThroughTheWholeText) {
+    const std::string source =
+        "#line 1 \"a.cl\"\n// a\n#line 1 \"b.cl\"\nwrong\n#line 3 \"a.cl\"\n"
+        "x\nwrong\n";
+    EXPECT_EQ(device::name_lines("<kernel>:4:5: error\n<kernel>:7:1: error\nend", source),
+              "b.cl:1:5: error\na.cl:4:1: error\nend");
+    EXPECT_EQ(device::name_lines("<kernel>:0:1 <kernel>:8:1", source), "<kernel>:0:1 <kernel>:8:1");
+    EXPECT_EQ(device::name_lines("b.cl:1:5: error", source), "b.cl:1:5: error");
+}
+
 TEST(EmbeddedCode, HasEveryKernelInBothLanguages) {
     std::set<std::string> operations;
     for (const auto& source : device::embedded_sources()) {

@@ -67,6 +67,10 @@ public:
         result.cells_changed += fault_ == Fault::counts_one_too_many ? 1U : 0U;
         return result;
     }
+    void visit_local_map(
+        const std::function<void(std::uint32_t, std::span<const std::uint8_t>)>& visit) override {
+        engine_.visit_local_map(visit);
+    }
     [[nodiscard]] std::span<const std::uint32_t> held() const override { return engine_.held(); }
     [[nodiscard]] bool holds(std::uint32_t place) const override { return engine_.holds(place); }
     void track(std::span<const ZoneIndex> changed) override {

@@ -1,7 +1,11 @@
 #include "io/map_comparison.h"
 
+#include "pipeline/reference_engine.h"
+
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <memory>
 #include <vector>
 
 // Two maps that differ on purpose: by their options.
@@ -85,9 +89,45 @@ TEST(MapComparison, FindsTheFirstImageAndCellWhereValuesPart) {
     EXPECT_EQ(difference->images, 4U);
     EXPECT_EQ(difference->frame, "image4.png");
     EXPECT_EQ(difference->what, "cells");
-    EXPECT_THAT(difference->detail, HasSubstr("value 7, expected 8"));
+    EXPECT_THAT(difference->detail, HasSubstr("value 7, expected value 8"));
     EXPECT_THAT(difference->detail, HasSubstr("in zone (-1, -1, 0)"));
     EXPECT_EQ(difference->operation, "fuse_local_map");
+}
+
+/// The reference, but sees nothing from the fifth image on.
+class BlindFromTheFifth final : public ReferenceEngine {
+public:
+    using ReferenceEngine::ReferenceEngine;
+    void integrate_image(const ImageRays& rays) override {
+        ImageRays seen = rays;
+        if (++images_ >= 5) {
+            std::ranges::fill(seen.depths, PixelDepth{});
+        }
+        ReferenceEngine::integrate_image(seen);
+    }
+
+private:
+    int images_ = 0;
+};
+
+TEST(MapComparison, FindsWhatAnImageSaysWhereCellsAreAtTheirLimits) {
+    // After the first image all cells are at their limits: only the local maps still tell.
+    auto options = options_with_limit(1);
+    options.hit = options.threshold = 1;
+    const auto blind = [](const MapperOptions& chosen, const std::optional<Camera>&,
+                          const Window& window) {
+        return std::make_unique<BlindFromTheFifth>(chosen, window);
+    };
+    const Wall wall;
+    const auto watch = [](const ReplaySummary&) {};
+    const auto steps = take_steps(wall, {0, 10}, {options}, every, watch);
+    const auto difference =
+        find_difference(wall, {0, 10}, {options}, steps, {options, blind}, every, watch);
+    ASSERT_TRUE(difference.has_value());
+    EXPECT_EQ(difference->images, 5U);
+    EXPECT_EQ(difference->what, "local map");
+    EXPECT_EQ(difference->operation, "integrate_image");
+    EXPECT_THAT(difference->detail, HasSubstr("): nothing, expected "));
 }
 
 TEST(MapComparison, FindsObjectsThatPartWhereCellsDoNot) {

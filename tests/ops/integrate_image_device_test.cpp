@@ -49,7 +49,7 @@ public:
         local_map.reserve(places);
         operation.dispatch(rays_, local_map);
         local_map.check();
-        return statements_of(device, local_map, places, window_);
+        return statements_of(local_map, places, window_);
     }
 
 private:
@@ -241,7 +241,7 @@ TEST_P(IntegrateImageOn, DrawsTheCameraCellOfRaysOfNoLength) {
         local_map.reserve(places);
         operation.dispatch(rays, local_map);
         local_map.check();
-        const auto statements = statements_of(*device, local_map, places, window);
+        const auto statements = statements_of(local_map, places, window);
         ASSERT_EQ(statements.size(), 1U);
         EXPECT_EQ(statements.begin()->second, ZG_STATEMENT_FREE);
     });

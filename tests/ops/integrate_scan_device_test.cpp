@@ -89,7 +89,7 @@ TEST_P(IntegrateScanOn, EqualsTheReference) {
             local_map.reserve(places);
             operation.dispatch(scan, local_map);
             local_map.check();
-            const auto actual = statements_of(*device, local_map, places, window);
+            const auto actual = statements_of(local_map, places, window);
             ASSERT_EQ(oracle::difference(statements_of(expected), actual, window.zone_edge()), "")
                 << "seed " << seed;
             stated += actual.size();

@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 // A Mapper gives the same map on every device as by the reference: cells, objects, profile, counts.
@@ -29,6 +30,7 @@ struct Seen {
     std::uint64_t left = 0;
     std::uint64_t changed = 0;
     std::uint64_t objects = 0;
+    std::uint64_t statements = 0;
 };
 
 /// A mapper on the reference and one on a device that get the same calls.
@@ -56,6 +58,9 @@ public:
 
     void compare_maps(Seen& seen) {
         ASSERT_EQ(scenes::values_of(reference_), scenes::values_of(device_));
+        const auto statements = statements_of(reference_);
+        ASSERT_EQ(statements, statements_of(device_));
+        seen.statements += statements.size();
         const auto objects = reference_.objects();
         ASSERT_EQ(scenes::difference(objects, device_.objects()), "");
         seen.objects += objects.size();
@@ -70,6 +75,14 @@ public:
     }
 
 private:
+    /// In the order in which the mapper tells them, which is the same on every backend.
+    static std::vector<std::pair<CellIndex, bool>> statements_of(const Mapper& mapper) {
+        std::vector<std::pair<CellIndex, bool>> statements;
+        mapper.for_each_statement(
+            [&](const CellIndex& cell, bool occupied) { statements.emplace_back(cell, occupied); });
+        return statements;
+    }
+
     static MapperOptions on(MapperOptions options, const std::string& device) {
         options.backend = device;
         return options;
@@ -155,6 +168,7 @@ TEST_P(MapperOn, MapsAsTheReferenceDoes) {
         EXPECT_GT(seen.left, 200U);
         EXPECT_GT(seen.changed, 100000U);
         EXPECT_GT(seen.objects, 1000U);
+        EXPECT_GT(seen.statements, 10000U);
     }
 }
 

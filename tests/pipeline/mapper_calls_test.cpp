@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -129,6 +130,36 @@ TEST_F(MapperCalls, ARefusedScanLeavesNoTrace) {
     EXPECT_THAT(refusal([&] { mapper_.add_scan(scan); }), HasSubstr("1 starts for 2 ends"));
     scan.starts_m = {};
     EXPECT_EQ(mapper_.add_scan(scan).status, ImageStatus::integrated);
+}
+
+std::map<CellIndex, bool> statements_of(const Mapper& mapper) {
+    std::map<CellIndex, bool> statements;
+    mapper.for_each_statement([&](const CellIndex& cell, bool occupied) {
+        EXPECT_TRUE(statements.emplace(cell, occupied).second);
+    });
+    return statements;
+}
+
+TEST_F(MapperCalls, TellsWhatTheLastImageSays) {
+    EXPECT_TRUE(statements_of(mapper_).empty());
+    const std::vector<Eigen::Vector3f> far_m{{2.0F, 0.0F, 0.0F}};
+    const std::vector<Eigen::Vector3f> near_m{{1.0F, 0.0F, 0.0F}};
+    mapper_.add_navigation(resting_at(1.0, {0.5, 0.5, 0.5}));
+    Scan scan;
+    scan.time_s = 1.0;
+    scan.ends_m = far_m;
+    mapper_.add_scan(scan);
+    const std::map<CellIndex, bool> expected{
+        {{0, 0, 0}, false}, {{1, 0, 0}, false}, {{2, 0, 0}, true}};
+    EXPECT_EQ(statements_of(mapper_), expected);
+    scan.time_s = 1.01;
+    scan.ends_m = near_m;
+    mapper_.add_scan(scan);
+    const std::map<CellIndex, bool> shorter{{{0, 0, 0}, false}, {{1, 0, 0}, true}};
+    EXPECT_EQ(statements_of(mapper_), shorter);
+    EXPECT_EQ(mapper_.value({2, 0, 0}), 2) << "what earlier images said is in the cells";
+    mapper_.add_scan(scan); // not after the last one: skipped
+    EXPECT_EQ(statements_of(mapper_), shorter);
 }
 
 TEST_F(MapperCalls, OptionsAndWindowAreCheckedAtOnce) {

@@ -10,8 +10,7 @@ namespace zonegrid {
 
 /// What a device's local map says, as `statements_of` tells it of the reference's. `places`: the
 /// zones that were reserved in it.
-[[nodiscard]] oracle::CellValues statements_of(device::Device& device,
-                                               const ops::DeviceLocalMap& local_map,
+[[nodiscard]] oracle::CellValues statements_of(const ops::DeviceLocalMap& local_map,
                                                std::span<const std::uint32_t> places,
                                                const Window& window);
 

@@ -17,10 +17,10 @@ namespace zonegrid {
 namespace {
 
 constexpr const char* description =
-    "Checks that devices make the reference's map of a recording, or of random flights: cells,\n"
-    "objects with boxes, octrees and prisms, and height profile, bit for bit. Of a recording they\n"
-    "are compared after every tenth image and the last (--every), and what changed after every\n"
-    "image; of generated flights all is compared after every image.";
+    "Checks that devices make the reference's map of a recording, or of random flights: local\n"
+    "maps, cells, objects with boxes, octrees and prisms, and height profile, bit for bit. Of a\n"
+    "recording they are compared after every tenth image and the last (--every), and what changed\n"
+    "after every image; of generated flights all is compared after every image.";
 
 constexpr const char* help_footer =
     "With --backend reference, which is the default, every usable device is checked. Where a map\n"

@@ -1,6 +1,8 @@
 #include "map_settings.h"
 
+#include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <system_error>
 
 namespace zonegrid {
@@ -75,6 +77,15 @@ void add_backend_settings(SettingTable& table, MapSettings& settings) {
         settings.device,
         {[](const std::string& text) { return !text.empty(); },
          "a device's number, id or a part of its name"}));
+    table.add(bind_setting(
+        "device-memory", "MB", "most memory of the device to take, megabytes (2^20 bytes)",
+        settings.device_memory,
+        finite_where([](double value) { return value > 0.0 && value < 0x1.0p40; },
+                     "a number of megabytes above 0")));
+    table.add(switch_setting("copy-memory",
+                             "copy to and from a device that shares the processor's memory, where "
+                             "its driver shares it wrongly",
+                             settings.copy_memory));
 }
 
 void add_fusion_settings(SettingTable& table, MapSettings& settings) {
@@ -153,6 +164,11 @@ Setting max_gap_setting(double& max_gap_s) {
 MapperOptions mapper_options(const MapSettings& settings) {
     MapperOptions options = settings.mapper;
     options.model = settings.model == "span" ? SensorModel::span : SensorModel::line;
+    options.device_shared_memory = !settings.copy_memory;
+    if (settings.device_memory) {
+        options.device_memory_bytes =
+            static_cast<std::uint64_t>(std::max(*settings.device_memory * 0x1.0p20, 1.0));
+    }
     options.backend = "reference"; // until the devices are looked at
     check_options(options);
     return options;

@@ -15,6 +15,8 @@ struct MapSettings {
     MapperOptions mapper;
     std::string model = "line";
     std::optional<std::string> device;
+    std::optional<double> device_memory; ///< 2^20 bytes
+    bool copy_memory = false;
     std::optional<std::string> output;
     std::optional<std::string> frames;
     std::optional<double> cut_height;

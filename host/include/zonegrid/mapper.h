@@ -113,6 +113,12 @@ public:
     /// Calls `visit` for every cell in the window with a value other than 0, by x, then y, then z.
     void for_each_cell(const std::function<void(const CellIndex&, int)>& visit) const;
 
+    /// Calls `visit` for every cell of which the last image or scan that was integrated says
+    /// something, before it was added to the cells (the local map, docs/model.md, section 5). The
+    /// order is the same on every backend. For none if the device's memory did not suffice for it.
+    void for_each_statement(
+        const std::function<void(const CellIndex& cell, bool occupied)>& visit) const;
+
     [[nodiscard]] MapStatistics statistics() const;
     [[nodiscard]] const MapperOptions& options() const;
 

@@ -29,6 +29,9 @@ struct MapperOptions {
     std::string backend = "reference";
     /// Most memory of the device to take, bytes, where others use it too; 0: no limit.
     std::uint64_t device_memory_bytes = 0;
+    /// Whether a device that shares the processor's memory works in it without copies; false where
+    /// a driver does that wrongly. No other device is affected.
+    bool device_shared_memory = true;
 };
 
 /// Whether a name can be that of a backend or of one of its devices.
