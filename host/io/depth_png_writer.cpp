@@ -2,15 +2,13 @@
 
 #include "zonegrid/errors.h"
 
-#include <fmt/format.h>
 #include <png.h>
 
-#include <array>
 #include <bit>
 #include <csetjmp>
-#include <cstring>
-#include <exception>
+#include <cstddef>
 #include <new>
+#include <utility>
 
 namespace zonegrid {
 namespace {

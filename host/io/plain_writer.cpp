@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -64,10 +65,11 @@ std::string coding_text(const DepthCoding& coding) {
 
 SensorMounting mounting_of(const Eigen::Isometry3d& body_from_camera) {
     const Eigen::Matrix3d turn = body_from_camera.linear() * body_from_forward_camera().transpose();
+    // 0 added: -0 reads oddly.
     return {body_from_camera.translation(),
-            deg_per_rad * Eigen::Vector3d(std::atan2(turn(2, 1), turn(2, 2)),
-                                          std::asin(std::clamp(-turn(2, 0), -1.0, 1.0)),
-                                          std::atan2(turn(1, 0), turn(0, 0)))};
+            deg_per_rad * Eigen::Vector3d(std::atan2(turn(2, 1), turn(2, 2)) + 0.0,
+                                          std::asin(std::clamp(-turn(2, 0), -1.0, 1.0)) + 0.0,
+                                          std::atan2(turn(1, 0), turn(0, 0)) + 0.0)};
 }
 
 void write_plain_description(const std::filesystem::path& file, const PlainSensor& sensor) {
