@@ -16,6 +16,7 @@ void add_devices_command(CLI::App& app);
 void add_check_command(CLI::App& app);
 void add_doctor_command(CLI::App& app);
 #ifdef ZONEGRID_SIMULATION
+void add_simulate_command(CLI::App& app);
 void add_evaluate_command(CLI::App& app);
 #endif
 
