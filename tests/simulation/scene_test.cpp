@@ -224,7 +224,7 @@ TEST(Scene, PutsThingsWhereTheFileSaysOnTheGround) {
 TEST(Scene, ReadsMeshesAsOtherProgramsWriteThem) {
     const SceneFolder folder(
         "[[mesh]]\nfile = \"slab.obj\"\nnorth_m = 100\neast_m = 200\nheight_m = 5\nscale = 2\n"
-        "axes = \"y_up\"\n"
+        "axes = \"y_up\"\nyaw_deg = 90\n"
         "[[mesh]]\nname = \"post\"\nfile = \"post.ply\"\nnorth_m = 0\neast_m = 0\n" +
         flight);
     // A square in the plane z = -1 (forward 1), x 0 ... 3 (right), y 0 ... 2 (up), seen from
@@ -238,12 +238,12 @@ TEST(Scene, ReadsMeshesAsOtherProgramsWriteThem) {
     EXPECT_THAT(names_of(scene), ::testing::ElementsAre("mesh 1", "post"));
     EXPECT_EQ(scene.surfaces.obstacles[0].triangles, 2U);
     const Eigen::AlignedBox3d slab = bounds_of(scene, "mesh 1");
-    EXPECT_TRUE(slab.min().isApprox(Eigen::Vector3d(102, 200, -9), 1e-6));
-    EXPECT_TRUE(slab.max().isApprox(Eigen::Vector3d(102, 206, -5), 1e-6));
-    // Its front, where the corners turn counter-clockwise, is towards z: backward.
+    EXPECT_TRUE(slab.min().isApprox(Eigen::Vector3d(94, 202, -9), 1e-6));
+    EXPECT_TRUE(slab.max().isApprox(Eigen::Vector3d(100, 202, -5), 1e-6));
+    // Its front, where the corners turn counter-clockwise, is backward: west, as it looks east.
     const auto& [a, b, c] = scene.surfaces.triangles[0];
     const std::vector<Eigen::Vector3f>& vertices = scene.surfaces.vertices_m;
-    EXPECT_LT((vertices[b] - vertices[a]).cross(vertices[c] - vertices[a]).x(), 0.0F);
+    EXPECT_LT((vertices[b] - vertices[a]).cross(vertices[c] - vertices[a]).y(), 0.0F);
     const Eigen::AlignedBox3d post = bounds_of(scene, "post"); // z up, y to the left
     EXPECT_TRUE(post.min().isApprox(Eigen::Vector3d(1, -4, -6), 1e-6));
     EXPECT_TRUE(post.max().isApprox(Eigen::Vector3d(1, 0, 0), 1e-6));
@@ -253,8 +253,8 @@ const std::string random_things =
     "[terrain]\nrelief_m = 5\nwavelength_m = 80\n"
     "[[tree]]\nnorth_m = 5\neast_m = 6\n"
     "[[row]]\nof = \"bush\"\nstart_m = [0, 40]\nend_m = [20, 40]\nnumber = 2\n"
-    "[[forest]]\nnumber = 60\nnorth_m = [0, 100]\neast_m = [0, 100]\nspacing_m = 6\n"
-    "route_clearance_m = 4\nspecies = \"mixed\"\n";
+    "[[forest]]\nnumber = 60\nnorth_m = [-30, 70]\neast_m = [-50, 50]\nspacing_m = 6\n"
+    "route_clearance_m = 15\nspecies = \"mixed\"\n";
 
 TEST(Scene, OfOneSeedIsTheSameAndOfAnotherIsNot) {
     const Scene first = scene_of(random_things + flight, 11);
@@ -269,6 +269,25 @@ TEST(Scene, OfOneSeedIsTheSameAndOfAnotherIsNot) {
     const Scene more =
         scene_of(random_things + "[[bush]]\nnorth_m = 70\neast_m = 70\n" + flight, 11);
     EXPECT_TRUE(bounds_of(first, "tree 61").isApprox(bounds_of(more, "tree 61"), 0.0));
+}
+
+TEST(Scene, GivesEveryTableNumbersOfItsOwn) {
+    const std::string tree = "[[tree]]\nnorth_m = 20\neast_m = 20\nheight_m = [5, 10]\n";
+    const std::string row =
+        "[[row]]\nof = \"tree\"\nstart_m = [20, 20]\nend_m = [9, 9]\nnumber = 2\n"
+        "height_m = [5, 10]\n";
+    const Scene scene = scene_of(tree + tree + row + row + flight);
+    std::vector<double> heights_m;
+    for (const std::string& name : names_of(scene)) {
+        heights_m.push_back(-bounds_of(scene, name).min().z());
+        EXPECT_GE(heights_m.back(), 5.0);
+        EXPECT_LE(heights_m.back(), 10.0);
+    }
+    ASSERT_EQ(heights_m.size(), 6U);
+    std::ranges::sort(heights_m);
+    for (std::size_t i = 1; i < heights_m.size(); ++i) {
+        EXPECT_GT(heights_m[i], heights_m[i - 1] + 1e-3);
+    }
 }
 
 TEST(Scene, SpacesTheTreesOfAForestAndKeepsThemOffTheRoute) {
@@ -287,10 +306,11 @@ TEST(Scene, SpacesTheTreesOfAForestAndKeepsThemOffTheRoute) {
     }
     ASSERT_EQ(trunks.size(), 60U);
     for (std::size_t i = 0; i < trunks.size(); ++i) {
-        EXPECT_GE(trunks[i].minCoeff(), -1e-3);
-        EXPECT_LE(trunks[i].maxCoeff(), 100.0 + 1e-3);
-        const double beyond_m = std::max(0.0, trunks[i].x() - 50.0); // the route is 0 ... 50 north
-        EXPECT_GE(std::hypot(beyond_m, trunks[i].y()), 4.0 - 1e-3);
+        EXPECT_NEAR(trunks[i].x(), 20.0, 50.0 + 1e-3);
+        EXPECT_NEAR(trunks[i].y(), 0.0, 50.0 + 1e-3);
+        // The route is 0 ... 50 north.
+        const double beyond_m = std::max({0.0, -trunks[i].x(), trunks[i].x() - 50.0});
+        EXPECT_GE(std::hypot(beyond_m, trunks[i].y()), 15.0 - 1e-3);
         for (std::size_t k = 0; k < i; ++k) {
             EXPECT_GE((trunks[i] - trunks[k]).norm(), 6.0 - 1e-3);
         }
