@@ -286,7 +286,7 @@ TEST(Scene, GivesEveryTableNumbersOfItsOwn) {
     ASSERT_EQ(heights_m.size(), 6U);
     std::ranges::sort(heights_m);
     for (std::size_t i = 1; i < heights_m.size(); ++i) {
-        EXPECT_GT(heights_m[i], heights_m[i - 1] + 1e-3);
+        EXPECT_GT(heights_m[i], heights_m[i - 1] + 1e-5);
     }
 }
 
