@@ -55,10 +55,6 @@ MotionLimits read_limits(DescriptionTable& table) {
 Route read_route(DescriptionTable& table, const Terrain& terrain) {
     Route route;
     std::vector<DescriptionTable> waypoints = table.tables("waypoint");
-    if (waypoints.size() < 2) {
-        table.refuse("waypoint", fmt::format("comes {} times", waypoints.size()),
-                     fmt::format("give at least two, each as [[{}.waypoint]]", table.name()));
-    }
     for (DescriptionTable& waypoint : waypoints) {
         const Waypoint next = read_waypoint(waypoint, terrain);
         if (!route.waypoints.empty() && next.position_m == route.waypoints.back().position_m) {
@@ -66,6 +62,10 @@ Route read_route(DescriptionTable& table, const Terrain& terrain) {
                             "remove one; to stay at a waypoint give it hold_s");
         }
         route.waypoints.push_back(next);
+    }
+    if (waypoints.size() < 2) {
+        table.refuse("waypoint", fmt::format("comes {} times", waypoints.size()),
+                     fmt::format("give at least two, each as [[{}.waypoint]]", table.name()));
     }
     if (std::optional<DescriptionTable> limits = table.table("limits")) {
         route.limits = read_limits(*limits);

@@ -50,7 +50,7 @@ public:
 private:
     Terrain terrain_;
     std::vector<Thing> things_;
-    std::set<std::string> names_;
+    std::set<std::string> names_{"ground"}; ///< taken
     std::map<std::string, int> last_number_;
 };
 
