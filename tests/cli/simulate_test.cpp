@@ -24,6 +24,7 @@ height_m = 9.0
 [camera]
 width_px = 64
 height_px = 48
+disparity_sigma_px = 0.4
 
 [flight]
 duration_s = 0.17
@@ -89,10 +90,10 @@ TEST_F(SimulateTest, TakesOptionsOfFlightAndCamera) {
 
 TEST_F(SimulateTest, TakesAllFaultsButForThoseGiven) {
     const CommandResult result =
-        run("zonegrid simulate wall.toml -o flight --all-faults --outliers 0 --stereo-noise 0.5");
+        run("zonegrid simulate wall.toml -o flight --all-faults --outliers 0 --quantise 0.125");
     EXPECT_EQ(result.exit_code, 0) << result.errors;
     EXPECT_THAT(result.output,
-                HasSubstr("--stereo-noise 0.5 --quantise 0.0625 --missing 1 --bleeding 2 "
+                HasSubstr("--stereo-noise 0.4 --quantise 0.125 --missing 1 --bleeding 2 "
                           "--vibration 0.1 --navigation-errors 1 --navigation-constant 60\n"));
 }
 

@@ -83,9 +83,10 @@ void run_simulate(SimulateCommand& command) {
             "--output is missing: name the folder to make for the recording with -o RECORDING");
     }
     Stopwatch stopwatch;
-    const SimulationOptions options = simulation_options(settings, command.table.given());
-    Scene scene = read_scene(scene_file(*settings.scene), options.seed);
+    Scene scene = read_scene(scene_file(*settings.scene), seed_of(settings));
     apply_camera_settings(settings, scene);
+    const SimulationOptions options =
+        simulation_options(settings, command.table.given(), scene.camera);
     const SimulatedFlight flight = fly(scene, options);
     const InterruptionGuard interruption;
     if (settings.overwrite) {

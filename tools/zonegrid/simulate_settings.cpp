@@ -15,9 +15,9 @@ constexpr double highest_rate_hz = 1000.0;
 constexpr double longest_s = 86400.0;
 
 /// The strengths of --all-faults, in the order of --help.
-SensorFaults usual_sensor_faults() {
+SensorFaults usual_sensor_faults(const Camera& camera) {
     SensorFaults faults;
-    faults.disparity_sigma_px = 0.25;
+    faults.disparity_sigma_px = camera.stereo ? camera.stereo->disparity_sigma_px : 0.0;
     faults.disparity_step_px = 0.0625;
     faults.missing = 1.0;
     faults.bleeding_px = 2;
@@ -135,9 +135,9 @@ void add_navigation_settings(SettingTable& table, SimulateSettings& settings) {
     table.add(bind_setting("lost-navigation", "SHARE", "share of navigation samples that are lost",
                            settings.transfer.lost_navigation, share()));
     table.add(switch_setting("all-faults",
-                             "a real camera and navigation: --stereo-noise 0.25 --quantise 0.0625 "
-                             "--missing 1 --bleeding 2 --outliers 0.0005 --vibration 0.1 "
-                             "--navigation-errors 1, but for those given",
+                             "a real camera and navigation: --stereo-noise as the scene's camera "
+                             "has it, --quantise 0.0625 --missing 1 --bleeding 2 --outliers 0.0005 "
+                             "--vibration 0.1 --navigation-errors 1, but for those given",
                              settings.all_faults));
 }
 
@@ -157,17 +157,21 @@ void add_simulate_settings(SettingTable& table, SimulateSettings& settings) {
     table.add(switch_setting("quiet", "print neither summary nor progress", settings.quiet));
 }
 
+std::uint64_t seed_of(const SimulateSettings& settings) {
+    return *parse_seed(settings.seed);
+}
+
 SimulationOptions simulation_options(const SimulateSettings& settings,
-                                     const std::vector<std::string>& given) {
+                                     const std::vector<std::string>& given, const Camera& camera) {
     SimulationOptions options;
-    options.seed = *parse_seed(settings.seed);
+    options.seed = seed_of(settings);
     options.duration_s = settings.seconds;
     options.sensor = settings.sensor;
     options.navigation = settings.navigation;
     options.transfer = settings.transfer;
     options.transfer.late_by_s = settings.late_by_ms / ms_per_s;
     if (settings.all_faults) {
-        const SensorFaults usual = usual_sensor_faults();
+        const SensorFaults usual = usual_sensor_faults(camera);
         const auto unless_given = [&given](const char* name, auto& value, auto usual_value) {
             if (std::ranges::find(given, name) == given.end()) {
                 value = usual_value;

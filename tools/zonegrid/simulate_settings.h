@@ -31,9 +31,13 @@ struct SimulateSettings {
 void add_simulate_settings(SettingTable& table, SimulateSettings& settings);
 
 /// What to simulate. Faults of --all-faults that `given`, the names of the arguments, does not hold
-/// have their usual strength.
+/// have their usual strength; the disparities' is that of the scene's camera.
 [[nodiscard]] SimulationOptions simulation_options(const SimulateSettings& settings,
-                                                   const std::vector<std::string>& given);
+                                                   const std::vector<std::string>& given,
+                                                   const Camera& camera);
+
+/// The seed that the settings name.
+[[nodiscard]] std::uint64_t seed_of(const SimulateSettings& settings);
 
 /// The file that a scene's name means: the file itself, else scenes/NAME.toml.
 /// Throws UsageError if there is neither.
