@@ -99,8 +99,8 @@ Camera generate_camera(SeededNumbers& numbers) {
     return camera;
 }
 
-GeneratedMounting generate_mounting(SeededNumbers& numbers) {
-    GeneratedMounting mounting;
+SensorMounting generate_mounting(SeededNumbers& numbers) {
+    SensorMounting mounting;
     if (numbers.chance(0.4)) {
         for (int axis = 0; axis < 3; ++axis) {
             mounting.position_m[axis] = numbers.real(-0.5, 0.5);
@@ -181,9 +181,9 @@ Eigen::Vector3d generate_attitude(SeededNumbers& numbers) {
     return {numbers.real(-0.6, 0.6), numbers.real(-1.5, 1.5), numbers.real(-3.2, 3.2)};
 }
 
-GeneratedSample generate_sample(SeededNumbers& numbers, double image_time_s,
-                                const Eigen::Vector3d& position_m) {
-    GeneratedSample generated;
+EulerSample generate_sample(SeededNumbers& numbers, double image_time_s,
+                            const Eigen::Vector3d& position_m) {
+    EulerSample generated;
     NavigationSample& sample = generated.sample;
     sample.time_s = image_time_s;
     sample.position_m = position_m;
@@ -227,7 +227,7 @@ RecordingContents contents_of(const FlightPlan& plan) {
     } else {
         contents.body_from_sensor = mounting;
     }
-    for (const GeneratedSample& generated : plan.navigation) {
+    for (const EulerSample& generated : plan.navigation) {
         contents.navigation.push_back(generated.sample);
     }
     for (std::size_t i = 0; i < plan.times_s.size(); ++i) {
@@ -252,7 +252,7 @@ FlightPlan plan_flight(std::uint64_t seed, std::uint64_t number) {
     for (int image = 0; image < images; ++image) {
         const double time_s = first_time_s + image * between_images_s;
         if (image > 0 && path.hovers()) { // the same again, until cells reach their limits
-            GeneratedSample sample = plan.navigation.back();
+            EulerSample sample = plan.navigation.back();
             sample.sample.time_s += between_images_s;
             plan.navigation.push_back(sample);
             plan.frames.push_back(numbers.chance(0.7) ? plan.frames.back()

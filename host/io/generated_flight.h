@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/plain_writer.h"
 #include "io/recording.h"
 #include "zonegrid/options.h"
 
@@ -10,25 +11,12 @@
 
 namespace zonegrid {
 
-/// How the sensor of a generated flight sits in the body: position in metres, then roll, pitch and
-/// yaw in degrees from looking forward, as description.toml gives them.
-struct GeneratedMounting {
-    Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
-    Eigen::Vector3d roll_pitch_yaw_deg = Eigen::Vector3d::Zero();
-};
-
-/// A navigation sample of a generated flight: its attitude is the one that these angles give.
-struct GeneratedSample {
-    NavigationSample sample;
-    Eigen::Vector3d roll_pitch_yaw_rad = Eigen::Vector3d::Zero();
-};
-
 /// What a generated flight is made of; all that a folder of the plain layout says of it.
 struct FlightPlan {
     MapperOptions options; ///< to map it with
     std::optional<Camera> camera;
-    GeneratedMounting mounting;
-    std::vector<GeneratedSample> navigation;
+    SensorMounting mounting;
+    std::vector<EulerSample> navigation;
     std::vector<double> times_s;
     std::vector<FrameData> frames;
 };

@@ -88,8 +88,8 @@ struct Tilt {
 
 Tilt tilt_of(const SplinePoint& point) {
     // The body's down axis lies against the thrust, which balances gravity, drag and inertia.
-    const Eigen::Vector3d down = Eigen::Vector3d(0.0, 0.0, gravity_mps2) -
-                                 point.second.head<3>() - drag_per_s * point.first.head<3>();
+    const Eigen::Vector3d down = Eigen::Vector3d(0.0, 0.0, gravity_mps2) - point.second.head<3>() -
+                                 drag_per_s * point.first.head<3>();
     const Eigen::Vector3d down_change =
         -point.third.head<3>() - drag_per_s * point.second.head<3>();
     // Both as seen by a level body with the same yaw.
@@ -141,9 +141,8 @@ EulerSample Motion::at(double time_s) const {
     state.sample.position_m = point.value.head<3>();
     state.sample.velocity_mps = point.first.head<3>();
     state.sample.acceleration_mps2 = point.second.head<3>();
-    state.sample.world_from_body =
-        attitude_from_euler(state.roll_pitch_yaw_rad.x(), state.roll_pitch_yaw_rad.y(),
-                            state.roll_pitch_yaw_rad.z());
+    state.sample.world_from_body = attitude_from_euler(
+        state.roll_pitch_yaw_rad.x(), state.roll_pitch_yaw_rad.y(), state.roll_pitch_yaw_rad.z());
     state.sample.body_rate_radps = body_rates(tilt, point.first.w());
     return state;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/navigation_csv.h"
+#include "io/plain_writer.h"
 #include "simulation/scene.h"
 #include "simulation/uniform_spline.h"
 #include "truth/truth_folder.h"

@@ -23,20 +23,22 @@ void check_route(const Route& route) {
     const MotionLimits& limits = route.limits;
     if (!above_zero(limits.speed_mps) || !above_zero(limits.acceleration_mps2) ||
         !above_zero(limits.climb_mps) || !above_zero(limits.yaw_rate_radps)) {
-        throw UsageError("a limit of the motion is not above 0: give speed, acceleration, climb "
-                         "and turn rate above 0");
+        throw UsageError(
+            "a limit of the motion is not above 0: give speed, acceleration, climb "
+            "and turn rate above 0");
     }
     if (route.waypoints.size() < 2) {
-        throw UsageError(fmt::format("the route has {} waypoints: give two or more",
-                                     route.waypoints.size()));
+        throw UsageError(
+            fmt::format("the route has {} waypoints: give two or more", route.waypoints.size()));
     }
     for (std::size_t i = 0; i < route.waypoints.size(); ++i) {
         const Waypoint& waypoint = route.waypoints[i];
         if (!above_zero(waypoint.speed_mps) || !waypoint.position_m.allFinite() ||
             !(waypoint.hold_s >= 0.0 && std::isfinite(waypoint.hold_s))) {
-            throw UsageError(fmt::format("waypoint {} cannot be flown: give a finite position, a "
-                                         "speed above 0 and a hold of 0 or more",
-                                         i));
+            throw UsageError(
+                fmt::format("waypoint {} cannot be flown: give a finite position, a "
+                            "speed above 0 and a hold of 0 or more",
+                            i));
         }
     }
 }
@@ -75,6 +77,9 @@ void TimedWay::add_leg(const Eigen::Vector3d& from_m, const Waypoint& to,
     leg.start_m = from_m;
     const Eigen::Vector3d step_m = to.position_m - from_m;
     leg.length_m = step_m.norm() < shortest_leg_m ? 0.0 : step_m.norm();
+    if (leg.length_m == 0.0 && !legs_.empty() && to.hold_s == 0.0 && !to.yaw_rad) {
+        return; // the same place again says nothing, as where a loop names its start at its end
+    }
     leg.direction = leg.length_m > 0.0 ? Eigen::Vector3d(step_m / leg.length_m)
                                        : Eigen::Vector3d(Eigen::Vector3d::Zero());
     leg.speed_mps = std::min(to.speed_mps, limits.speed_mps);
@@ -100,8 +105,8 @@ void TimedWay::limit_speeds() {
         leg.first_mps = i == 0 ? 0.0 : legs_[i - 1].last_mps;
         const bool stops = i + 1 == legs_.size() || leg.length_m == 0.0 || leg.wait_s > 0.0;
         const double next_mps = stops ? 0.0 : legs_[i + 1].speed_mps;
-        leg.last_mps = std::min({leg.corner_mps, leg.speed_mps, next_mps,
-                                 reach(leg.first_mps, leg.length_m)});
+        leg.last_mps =
+            std::min({leg.corner_mps, leg.speed_mps, next_mps, reach(leg.first_mps, leg.length_m)});
         if (!stops && legs_[i + 1].length_m == 0.0) {
             leg.last_mps = 0.0;
         }
@@ -121,9 +126,9 @@ void TimedWay::retime() {
     for (Leg& leg : legs_) {
         leg.start_s = time_s;
         if (leg.length_m > 0.0) {
-            const double highest = std::sqrt(a * leg.length_m + (leg.first_mps * leg.first_mps +
-                                                                 leg.last_mps * leg.last_mps) /
-                                                                    2.0);
+            const double highest =
+                std::sqrt(a * leg.length_m +
+                          (leg.first_mps * leg.first_mps + leg.last_mps * leg.last_mps) / 2.0);
             leg.peak_mps =
                 std::max({std::min(leg.speed_mps, highest), leg.first_mps, leg.last_mps});
             leg.speeds_up_s = (leg.peak_mps - leg.first_mps) / a;
@@ -162,8 +167,7 @@ double TimedWay::way_m(const Leg& leg, double since_s) const {
 }
 
 WayPoint TimedWay::at(double time_s) const {
-    const auto after =
-        std::ranges::upper_bound(legs_, std::max(time_s, 0.0), {}, &Leg::start_s);
+    const auto after = std::ranges::upper_bound(legs_, std::max(time_s, 0.0), {}, &Leg::start_s);
     const Leg& leg = *std::prev(after);
     WayPoint place;
     place.position_m = leg.start_m + way_m(leg, time_s - leg.start_s) * leg.direction;

@@ -20,8 +20,8 @@ Weights weights_of(int wanted_degree, double t) {
     for (int d = 1; d <= wanted_degree; ++d) {
         Weights higher{};
         for (int j = 0; j <= d; ++j) {
-            const double from_left = j > 0 ? (t + d - j) * weights[static_cast<std::size_t>(j - 1)]
-                                           : 0.0;
+            const double from_left =
+                j > 0 ? (t + d - j) * weights[static_cast<std::size_t>(j - 1)] : 0.0;
             const double from_right =
                 j < d ? (j + 1 - t) * weights[static_cast<std::size_t>(j)] : 0.0;
             higher[static_cast<std::size_t>(j)] = (from_left + from_right) / d;

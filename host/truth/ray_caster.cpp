@@ -175,10 +175,9 @@ void RayCaster::draw(const Camera& camera, const Eigen::Isometry3d& world_from_c
         std::vector<Eigen::Vector3f> directions(width);
         std::vector<TriangleHit> found(width);
         for (std::size_t u = 0; u < width; ++u) {
-            steps[u] =
-                world_from_camera.linear() *
-                Eigen::Vector3d((static_cast<double>(u) - camera.cx_px) / camera.fx_px,
-                                (static_cast<double>(v) - camera.cy_px) / camera.fy_px, 1.0);
+            steps[u] = world_from_camera.linear() *
+                       Eigen::Vector3d((static_cast<double>(u) - camera.cx_px) / camera.fx_px,
+                                       (static_cast<double>(v) - camera.cy_px) / camera.fy_px, 1.0);
             directions[u] = steps[u].cast<float>();
         }
         implementation_->scene().cast_row(start_m.cast<float>(), directions, found);

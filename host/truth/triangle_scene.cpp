@@ -128,10 +128,9 @@ void TriangleScene::commit() {
     rtcCommitScene(handles_->scene);
     const RTCError error = rtcGetDeviceError(handles_->device);
     if (error != RTC_ERROR_NONE) {
-        throw DeviceError("Embree",
-                          fmt::format("the scene cannot be built (error {})",
-                                      static_cast<int>(error)),
-                          "use a smaller scene or a machine with more memory");
+        throw DeviceError(
+            "Embree", fmt::format("the scene cannot be built (error {})", static_cast<int>(error)),
+            "use a smaller scene or a machine with more memory");
     }
 }
 

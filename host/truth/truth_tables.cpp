@@ -1,6 +1,7 @@
 #include "truth/truth_tables.h"
 
 #include "io/csv_table.h"
+#include "io/file_bytes.h"
 #include "io/output_file.h"
 #include "io/text_list.h"
 #include "zonegrid/errors.h"
@@ -33,6 +34,14 @@ std::string triple_text(const Eigen::Vector3d& values) {
 std::string pose_text(const Eigen::Isometry3d& pose) {
     return triple_text(pose.translation()) + triple_text(pose.linear().col(0)) +
            triple_text(pose.linear().col(1)) + triple_text(pose.linear().col(2));
+}
+
+/// The table, refused if it was cut within its last number, which would then be another one.
+CsvTable open_table(const std::filesystem::path& file) {
+    if (read_file_bytes(file).back() != '\n') {
+        throw InputError(file.string(), "the last line is cut off", std::string(remedy));
+    }
+    return CsvTable(file);
 }
 
 Triple need_triple(CsvTable& table, const std::array<std::string_view, 3>& names) {
@@ -100,7 +109,7 @@ void write_true_navigation(const std::filesystem::path& file,
 }
 
 std::vector<NavigationSample> read_true_navigation(const std::filesystem::path& file) {
-    CsvTable table(file);
+    CsvTable table = open_table(file);
     const std::size_t time = table.need("time_s");
     const Triple position = need_triple(table, {"north_m", "east_m", "down_m"});
     const std::array quaternion{table.need("qx"), table.need("qy"), table.need("qz"),
@@ -141,7 +150,7 @@ void write_true_images(const std::filesystem::path& file, std::span<const TrueIm
 }
 
 std::vector<TrueImage> read_true_images(const std::filesystem::path& file) {
-    CsvTable table(file);
+    CsvTable table = open_table(file);
     const std::size_t time = table.need("time_s");
     const PoseColumns columns(table);
     table.require_all_read();
@@ -169,7 +178,7 @@ void write_motions(const std::filesystem::path& file, std::span<const ObstacleMo
 
 std::vector<ObstacleMotion> read_motions(const std::filesystem::path& file,
                                          std::span<const TrueObstacle> obstacles) {
-    CsvTable table(file);
+    CsvTable table = open_table(file);
     const std::size_t which = table.need("obstacle");
     const std::size_t time = table.need("time_s");
     const PoseColumns columns(table);

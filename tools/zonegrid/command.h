@@ -15,9 +15,8 @@ void add_inspect_command(CLI::App& app);
 void add_devices_command(CLI::App& app);
 void add_check_command(CLI::App& app);
 void add_doctor_command(CLI::App& app);
-#ifdef ZONEGRID_SIMULATION
-void add_evaluate_command(CLI::App& app);
-#endif
+void add_simulate_command(CLI::App& app); ///< only where ZONEGRID_SIMULATION is on
+void add_evaluate_command(CLI::App& app); ///< only where ZONEGRID_SIMULATION is on
 
 /// A device's map differs from the reference's; exit code 4.
 class CheckFailed : public Error {

@@ -89,6 +89,7 @@ int main(int argc, char** argv) {
     zonegrid::add_check_command(app);
     zonegrid::add_doctor_command(app);
 #ifdef ZONEGRID_SIMULATION
+    zonegrid::add_simulate_command(app);
     zonegrid::add_evaluate_command(app);
 #endif
     app.footer(std::string("zonegrid COMMAND --help explains a command.\n") + zonegrid::exit_codes);
