@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 namespace zonegrid {
@@ -22,7 +23,9 @@ std::string row(const std::string& label, const Share& share, std::string_view o
 }
 
 std::string or_dash(const std::optional<double>& value, int decimals) {
-    return value ? fmt::format("{:.{}f}", *value, decimals) : "-";
+    const double scale = std::pow(10.0, decimals);
+    // Rounded here, and 0 added: never "-0.00".
+    return value ? fmt::format("{:.{}f}", std::round(*value * scale) / scale + 0.0, decimals) : "-";
 }
 
 std::string distance_of(const std::optional<Moment>& moment) {

@@ -90,7 +90,7 @@ void draw_shares(Canvas& canvas, const Panel& panel, const std::array<Share, rea
 }
 
 void draw_precision_and_recall(Canvas& canvas, const CellMeasures& cells) {
-    const Panel panel{80, 70, 520, height_px - 80, -0.2, 2.2};
+    const Panel panel{80, 100, 520, height_px - 80, -0.2, 2.2};
     draw_x_ticks(canvas, panel, 1.0);
     for (int tenth = 0; tenth <= 10; tenth += 2) {
         const double y_px = panel.y(0.1 * tenth);
@@ -120,7 +120,7 @@ std::vector<const ObstacleMeasures*> approached(const Evaluation& evaluation) {
 void draw_detections(Canvas& canvas, const Evaluation& evaluation) {
     const auto rows = approached(evaluation);
     const bool named = rows.size() <= most_named;
-    const Panel panel{named ? 760.0 : 620.0, 70,  width_px - 40,
+    const Panel panel{named ? 760.0 : 620.0, 100, width_px - 40,
                       height_px - 80,        0.0, 1.1 * evaluation.range_m};
     draw_x_ticks(canvas, panel, round_step(panel.x_high, 10));
     draw_frame(canvas, panel,

@@ -144,7 +144,8 @@ private:
             const auto object = map_.occupied_cells[index].object;
             ++cells_in[object];
             measures.joined_with_ground =
-                measures.joined_with_ground || with_ground_.contains(object);
+                measures.joined_with_ground ||
+                (measures.kind != ObstacleKind::ground && with_ground_.contains(object));
         }
         measures.objects = cells_in.size();
         for (const auto& [object, cells] : cells_in) {

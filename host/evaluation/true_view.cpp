@@ -3,7 +3,7 @@
 #include "truth/ray_caster.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -13,6 +13,9 @@ namespace {
 /// Rays that are followed for each surface point looked at, an axis: surfaces seen at a slant need
 /// denser rays than free space does.
 constexpr int surface_rays = 4;
+
+/// Rays 2^this farther apart than the closest are followed from the camera on.
+constexpr int top_level = 5;
 
 constexpr double most_steps = 2e9;  ///< of rays through cells, all images together
 constexpr double least_images = 40; ///< whatever that takes
@@ -31,36 +34,51 @@ Camera thinned(const Camera& camera, int stride) {
     return thin;
 }
 
+/// One axis of a way through cells.
+struct AxisWalk {
+    std::int32_t cell;
+    std::int32_t step;
+    double next;  ///< share of the way at which the next border lies
+    double width; ///< share of the way from border to border
+    std::int64_t borders;
+
+    AxisWalk(double start, double end) {
+        const double way = end - start;
+        const double first = std::floor(start);
+        cell = static_cast<std::int32_t>(first);
+        borders = std::abs(static_cast<std::int64_t>(std::floor(end)) - cell);
+        step = way > 0.0 ? 1 : -1;
+        width = 1.0 / std::abs(way);
+        // Infinite where there is no border to come, so that rounding cannot bring one.
+        next = borders == 0 ? std::numeric_limits<double>::infinity()
+                            : (way > 0.0 ? first + 1.0 - start : start - first) * width;
+    }
+
+    void advance() {
+        cell += step;
+        next += width;
+    }
+};
+
 /// Calls `visit` for each cell on the straight way from `start` to `end`, in cells, both included.
 ///
 /// Source: J. Amanatides and A. Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing",
 /// Eurographics 1987; in double, so not the mapper's own lattice.
 template <class Visit>
 void follow(const Eigen::Vector3d& start, const Eigen::Vector3d& end, Visit&& visit) {
-    std::array<std::int32_t, 3> cell{};
-    std::array<std::int32_t, 3> step{};
-    std::array<double, 3> next{};  ///< share of the way at which the next border lies
-    std::array<double, 3> width{}; ///< share of the way from border to border
-    std::int64_t steps = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<Eigen::Index>(axis);
-        const double way = end[i] - start[i];
-        const double first = std::floor(start[i]);
-        cell[axis] = static_cast<std::int32_t>(first);
-        steps += std::abs(static_cast<std::int64_t>(std::floor(end[i])) - cell[axis]);
-        step[axis] = way > 0.0 ? 1 : -1;
-        width[axis] = way == 0.0 ? std::numeric_limits<double>::infinity() : 1.0 / std::abs(way);
-        next[axis] = way == 0.0
-                         ? std::numeric_limits<double>::infinity()
-                         : (way > 0.0 ? first + 1.0 - start[i] : start[i] - first) * width[axis];
-    }
-    visit(CellIndex{cell[0], cell[1], cell[2]});
-    for (; steps > 0; --steps) {
-        const std::size_t axis =
-            next[0] < next[1] ? (next[0] < next[2] ? 0 : 2) : (next[1] < next[2] ? 1 : 2);
-        cell[axis] += step[axis];
-        next[axis] += width[axis];
-        visit(CellIndex{cell[0], cell[1], cell[2]});
+    AxisWalk x(start.x(), end.x());
+    AxisWalk y(start.y(), end.y());
+    AxisWalk z(start.z(), end.z());
+    visit(CellIndex{x.cell, y.cell, z.cell});
+    for (std::int64_t left = x.borders + y.borders + z.borders; left > 0; --left) {
+        if (x.next < y.next && x.next < z.next) {
+            x.advance();
+        } else if (y.next < z.next) {
+            y.advance();
+        } else {
+            z.advance();
+        }
+        visit(CellIndex{x.cell, y.cell, z.cell});
     }
 }
 
@@ -88,12 +106,9 @@ public:
     void look_from(std::size_t image) {
         const TrueImage& from = truth_.images[image];
         const Eigen::Vector3d start = from.world_from_camera.translation() / options_.cell_m;
-        const int every_ray = stride_ / surface_stride_;
         for (int v = 0; v < camera_.height_px; ++v) {
             for (int u = 0; u < camera_.width_px; ++u) {
-                const bool followed =
-                    u % every_ray == every_ray / 2 && v % every_ray == every_ray / 2;
-                take_ray(from, start, u, v, followed);
+                take_ray(from, start, u, v);
             }
         }
         ++view_.images;
@@ -146,24 +161,41 @@ private:
                slope_of(static_cast<int>(pixel % width), static_cast<int>(pixel / width)).norm();
     }
 
-    void take_ray(const TrueImage& from, const Eigen::Vector3d& start, int u, int v,
-                  bool followed) {
+    /// Depth from which on a ray is needed: before it, rays farther apart lie closely enough.
+    /// Infinite for rays that are not followed.
+    [[nodiscard]] double needed_from_m(int u, int v) const {
+        const int every_ray = stride_ / surface_stride_;
+        if (u % every_ray != every_ray / 2 || v % every_ray != every_ray / 2) {
+            return std::numeric_limits<double>::infinity();
+        }
+        const auto column = static_cast<unsigned>(u / every_ray);
+        const auto row = static_cast<unsigned>(v / every_ray);
+        const int level = std::min({std::countr_zero(column), std::countr_zero(row), top_level});
+        if (level == top_level) {
+            return 0.0;
+        }
+        // Up to here the rays twice as far apart as this one's are closer than half a cell.
+        const double focal_px = std::min(truth_.camera.fx_px, truth_.camera.fy_px);
+        return 0.5 * options_.cell_m * focal_px / (stride_ * std::ldexp(2.0, level));
+    }
+
+    void take_ray(const TrueImage& from, const Eigen::Vector3d& start, int u, int v) {
         const auto pixel =
             static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width_px) +
             static_cast<std::size_t>(u);
         const Eigen::Vector3d slope = slope_of(u, v);
-        const double length = slope.norm();
-        const double most_depth_m = options_.range_m / length;
+        const double most_depth_m = options_.range_m / slope.norm();
         const bool ends = obstacles_[pixel] != sky_obstacle &&
                           static_cast<double>(depth_m_[pixel]) <= most_depth_m;
-        if (!ends && !followed) {
-            return;
-        }
         const double depth_m = ends ? static_cast<double>(depth_m_[pixel]) : most_depth_m;
-        const Eigen::Vector3d end = from.world_from_camera * (slope * depth_m) / options_.cell_m;
-        if (followed) {
+        const auto place_at = [&](double at_m) -> Eigen::Vector3d {
+            return from.world_from_camera * (slope * at_m) / options_.cell_m;
+        };
+        const Eigen::Vector3d end = place_at(depth_m);
+        const double needed_m = needed_from_m(u, v);
+        if (needed_m < depth_m) {
             const CellIndex last = cell_at_m(end, 1.0);
-            follow(start, end, [&](const CellIndex& cell) {
+            follow(needed_m > 0.0 ? place_at(needed_m) : start, end, [&](const CellIndex& cell) {
                 if (!ends || cell != last) {
                     view_.free.insert(cell);
                 }

@@ -173,11 +173,13 @@ void fly(std::uint64_t seed, const std::string& backend, Seen& seen) {
     PlainHistory plain(options);
     double x_m = 0.0;
     for (std::uint32_t image = 3; image < 17; ++image) {
-        x_m += (image < 10 ? 1.0 : -1.0) * random.real(0.0, 16.0);
+        if (random.chance(0.6)) {
+            x_m += (image < 10 ? 1.0 : -1.0) * random.real(0.0, 20.0);
+        }
         const auto depth_m = oracle::random_depths(random, camera, options, oracle::Picture::step);
         history.begin_image(image);
         const auto result = scenes::show(mapper, 0.1 * image, {x_m, random.real(-1.0, 1.0), -3.0},
-                                         depth_m, random.real(-1.0, 1.0));
+                                         depth_m, random.real(-0.2, 0.2));
         seen.entered += result.zones_entered;
         seen.left += result.zones_left;
         plain.look(mapper, image);
