@@ -1,6 +1,7 @@
 #include "evaluation/evaluation.h"
 
 #include "evaluation/cell_measures.h"
+#include "evaluation/gap_measures.h"
 #include "evaluation/moving_measures.h"
 #include "evaluation/obstacle_measures.h"
 #include "evaluation/solid_cells.h"
@@ -134,6 +135,7 @@ Evaluation evaluate(const JudgedMap& map, const Truth& truth, const TrueImageDra
             view.surface_of[i].empty() && !truth.surfaces.obstacles[i].moving ? 1U : 0U;
     }
     evaluation.lines = measure_lines(evaluation.obstacles);
+    measure_gaps(map, truth, evaluation.obstacles, evaluation.lines);
     evaluation.moving = measure_moving(map, truth, touched, passing, view, region);
     evaluation.map_profile = profile_of(map.occupied, map.cell_m);
     evaluation.true_profile = profile_of(view.surface, map.cell_m);

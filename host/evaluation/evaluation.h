@@ -86,12 +86,23 @@ struct MovingMeasures {
     std::uint64_t trail_cells = 0;
 };
 
+/// What a map says between two neighbours of a row.
+struct GapMeasures {
+    std::string before; ///< names of the two
+    std::string after;
+    double true_m = 0.0;  ///< between their facing ends
+    double clear_m = 0.0; ///< of it: the longest stretch without an occupied cell
+    Share free;           ///< of the places looked at
+    Share occupied;
+};
+
 /// Obstacles of one kind against the line that fits them best, seen from above.
 struct LineMeasures {
     ObstacleKind kind = ObstacleKind::other;
     std::size_t members = 0; ///< found ones
     double line_error_m = 0.0;
     double true_line_error_m = 0.0;
+    std::vector<GapMeasures> gaps; ///< where they stand in a row
 };
 
 struct Evaluation {

@@ -108,6 +108,19 @@ Json summary_of(const Evaluation& evaluation) {
             {"merged", merged}};
 }
 
+Json gaps_of(const LineMeasures& line) {
+    Json gaps = Json::array();
+    for (const auto& gap : line.gaps) {
+        gaps.push_back({{"before", gap.before},
+                        {"after", gap.after},
+                        {"true_m", gap.true_m},
+                        {"clear_m", gap.clear_m},
+                        {"free", json_of(gap.free)},
+                        {"occupied", json_of(gap.occupied)}});
+    }
+    return gaps;
+}
+
 } // namespace
 
 nlohmann::ordered_json json_of(const Evaluation& evaluation) {
@@ -134,7 +147,8 @@ nlohmann::ordered_json json_of(const Evaluation& evaluation) {
         json["lines"].push_back({{"kind", name_of(line.kind)},
                                  {"members", line.members},
                                  {"line_error_m", line.line_error_m},
-                                 {"true_line_error_m", line.true_line_error_m}});
+                                 {"true_line_error_m", line.true_line_error_m},
+                                 {"gaps", gaps_of(line)}});
     }
     return json;
 }

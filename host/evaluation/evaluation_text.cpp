@@ -132,6 +132,10 @@ std::string moving_table(const Evaluation& evaluation) {
             "\nline        {} of kind {}: at most {:.2f} m from one line, in truth "
             "{:.2f} m\n",
             line.members, name_of(line.kind), line.line_error_m, line.true_line_error_m);
+        for (const auto& gap : line.gaps) {
+            text += fmt::format("  gap       {} - {}: clear over {:.1f} of {:.1f} m, {} free\n",
+                                gap.before, gap.after, gap.clear_m, gap.true_m, percent(gap.free));
+        }
     }
     return text;
 }

@@ -270,8 +270,11 @@ std::vector<LineMeasures> measure_lines(std::span<const ObstacleMeasures> obstac
     std::vector<LineMeasures> lines;
     for (const auto& [kind, points] : by_kind) {
         if (points.found.size() >= 3) {
-            lines.push_back(
-                {kind, points.found.size(), line_error(points.found), line_error(points.expected)});
+            lines.push_back({kind,
+                             points.found.size(),
+                             line_error(points.found),
+                             line_error(points.expected),
+                             {}});
         }
     }
     return lines;
