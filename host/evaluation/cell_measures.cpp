@@ -1,6 +1,7 @@
 #include "evaluation/cell_measures.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace zonegrid {
 namespace {
@@ -27,6 +28,19 @@ void count(bool counts, Share& share) {
     share.count += counts ? 1U : 0U;
 }
 
+/// A visible surface cell and those that would do as well.
+std::vector<CellIndex> alternatives(const TrueView& view, const CellIndex& cell) {
+    std::vector<CellIndex> cells{cell};
+    for (unsigned steps = 1; steps < view.surface_or.size(); ++steps) {
+        if (view.surface_or[steps].contains(cell)) {
+            cells.push_back({cell.x - ((steps & 1U) != 0 ? 1 : 0),
+                             cell.y - ((steps & 2U) != 0 ? 1 : 0),
+                             cell.z - ((steps & 4U) != 0 ? 1 : 0)});
+        }
+    }
+    return cells;
+}
+
 } // namespace
 
 CellMeasures measure_cells(const JudgedMap& map, const TouchedCells& touched,
@@ -37,10 +51,19 @@ CellMeasures measure_cells(const JudgedMap& map, const TouchedCells& touched,
                        measures.precision);
     });
     view.surface.for_each([&](const CellIndex& cell) {
-        count_distance(distance_to(map.occupied, cell), measures.recall);
+        const auto cells = alternatives(view, cell);
+        std::size_t distance = reaches;
+        bool free = true;
+        bool unknown = true;
+        for (const auto& one : cells) {
+            distance = std::min(distance, distance_to(map.occupied, one));
+            free = free && map.free.contains(one);
+            unknown = unknown && !map.knows(one);
+        }
+        count_distance(distance, measures.recall);
         if (map.tells_of(cell)) {
-            count(map.free.contains(cell), measures.wrong_free_surface);
-            count(!map.knows(cell), measures.unknown_surface);
+            count(free, measures.wrong_free_surface);
+            count(unknown, measures.unknown_surface);
         }
     });
     view.free.for_each([&](const CellIndex& cell) {

@@ -1,5 +1,6 @@
 #include "evaluation/obstacle_measures.h"
 
+#include "evaluation/evaluation_json.h"
 #include "evaluation/small_truth.h"
 
 #include <gmock/gmock.h>
@@ -76,6 +77,18 @@ TEST(Obstacles, AreNotFoundInTheGroundBelowThem) {
     EXPECT_EQ(post.map_cells, 0U);
     EXPECT_FALSE(post.found);
     EXPECT_FALSE(post.detection.has_value());
+}
+
+TEST(Obstacles, WhoseCellsAreAllTheGroundsAreNotFoundByIt) {
+    Truth truth = two_posts();
+    add_box(truth.surfaces, {6.2F, -0.8F, 2.1F}, {6.8F, 0.8F, 2.5F});
+    end_obstacle(truth.surfaces, "sill", ObstacleKind::other);
+    const Evaluation marks = evaluate(map_of(truth, floor_cells(), {}), truth);
+    const auto& sill = named(marks, "sill");
+    EXPECT_TRUE(sill.judged_with_ground);
+    EXPECT_GT(sill.found_cells.count, 0U);
+    EXPECT_FALSE(sill.found);
+    EXPECT_TRUE(json_of(marks)["obstacles"]["each"][3]["found"].is_null());
 }
 
 TEST(Obstacles, AreMergedByABridgeOfCells) {
