@@ -28,19 +28,6 @@ void count(bool counts, Share& share) {
     share.count += counts ? 1U : 0U;
 }
 
-/// A visible surface cell and those that would do as well.
-std::vector<CellIndex> alternatives(const TrueView& view, const CellIndex& cell) {
-    std::vector<CellIndex> cells{cell};
-    for (unsigned steps = 1; steps < view.surface_or.size(); ++steps) {
-        if (view.surface_or[steps].contains(cell)) {
-            cells.push_back({cell.x - ((steps & 1U) != 0 ? 1 : 0),
-                             cell.y - ((steps & 2U) != 0 ? 1 : 0),
-                             cell.z - ((steps & 4U) != 0 ? 1 : 0)});
-        }
-    }
-    return cells;
-}
-
 } // namespace
 
 CellMeasures measure_cells(const JudgedMap& map, const TouchedCells& touched,

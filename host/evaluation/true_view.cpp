@@ -259,6 +259,18 @@ private:
 
 } // namespace
 
+std::vector<CellIndex> alternatives(const TrueView& view, const CellIndex& cell) {
+    std::vector<CellIndex> cells{cell};
+    for (unsigned steps = 1; steps < view.surface_or.size(); ++steps) {
+        if (view.surface_or[steps].contains(cell)) {
+            cells.push_back({cell.x - ((steps & 1U) != 0 ? 1 : 0),
+                             cell.y - ((steps & 2U) != 0 ? 1 : 0),
+                             cell.z - ((steps & 4U) != 0 ? 1 : 0)});
+        }
+    }
+    return cells;
+}
+
 int pixel_stride(const Camera& camera, double cell_m, double range_m) {
     const double focal_px = std::min(camera.fx_px, camera.fy_px);
     const double most = std::max(1, std::min(camera.width_px, camera.height_px) / surface_rays);

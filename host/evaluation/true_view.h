@@ -47,6 +47,9 @@ struct TrueView {
     std::uint64_t unplaced_hits = 0;
 };
 
+/// A visible surface cell and those that would do as well.
+[[nodiscard]] std::vector<CellIndex> alternatives(const TrueView& view, const CellIndex& cell);
+
 /// Pixels between neighbouring rays that are followed, so that they are closer than half a cell at
 /// the range; at least 1.
 [[nodiscard]] int pixel_stride(const Camera& camera, double cell_m, double range_m);

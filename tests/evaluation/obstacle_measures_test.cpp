@@ -69,6 +69,15 @@ TEST(Obstacles, StandingOnGroundAreJoinedWithItNotMerged) {
     EXPECT_TRUE(named(marks, "floor").found);
 }
 
+TEST(Obstacles, StandOnGroundThatIsSolidBelowAsFarAsItReaches) {
+    const Truth truth = two_posts();
+    const Evaluation marks =
+        evaluate(map_of(truth, {}, cells_of_box({-5, -10, -10}, {20, 9, 5})), truth);
+    // Under the floor, x = 1 .. 14 and y = -7 .. 6: the layers z = 3 .. 5.
+    EXPECT_EQ(marks.cells.wrong_free_solid.count, 14U * 14U * 3U);
+    EXPECT_EQ(marks.cells.wrong_free_solid.of, 26U * 20U * 16U);
+}
+
 TEST(Obstacles, AreNotFoundInTheGroundBelowThem) {
     const Truth truth = two_posts();
     const Evaluation marks = evaluate(map_of(truth, floor_cells(), {}), truth);
