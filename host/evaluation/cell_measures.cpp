@@ -1,6 +1,7 @@
 #include "evaluation/cell_measures.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace zonegrid {
 namespace {
@@ -37,10 +38,19 @@ CellMeasures measure_cells(const JudgedMap& map, const TouchedCells& touched,
                        measures.precision);
     });
     view.surface.for_each([&](const CellIndex& cell) {
-        count_distance(distance_to(map.occupied, cell), measures.recall);
+        const auto cells = alternatives(view, cell);
+        std::size_t distance = reaches;
+        bool free = true;
+        bool unknown = true;
+        for (const auto& one : cells) {
+            distance = std::min(distance, distance_to(map.occupied, one));
+            free = free && map.free.contains(one);
+            unknown = unknown && !map.knows(one);
+        }
+        count_distance(distance, measures.recall);
         if (map.tells_of(cell)) {
-            count(map.free.contains(cell), measures.wrong_free_surface);
-            count(!map.knows(cell), measures.unknown_surface);
+            count(free, measures.wrong_free_surface);
+            count(unknown, measures.unknown_surface);
         }
     });
     view.free.for_each([&](const CellIndex& cell) {

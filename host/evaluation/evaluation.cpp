@@ -87,6 +87,17 @@ HeightProfile profile_of(const CellSet& cells, double cell_m) {
     return profile;
 }
 
+/// Visible surface cells and those that would do as well, which a map holds by chance.
+CellSet with_alternatives(const TrueView& view) {
+    CellSet cells;
+    view.surface.for_each([&](const CellIndex& cell) {
+        for (const auto& one : alternatives(view, cell)) {
+            cells.insert(one);
+        }
+    });
+    return cells;
+}
+
 Evaluation describe(const JudgedMap& map, const Truth& truth) {
     Evaluation evaluation;
     evaluation.map = map.folder;
@@ -138,7 +149,7 @@ Evaluation evaluate(const JudgedMap& map, const Truth& truth, const TrueImageDra
     measure_gaps(map, truth, evaluation.obstacles, evaluation.lines);
     evaluation.moving = measure_moving(map, truth, touched, passing, view, region);
     evaluation.map_profile = profile_of(map.occupied, map.cell_m);
-    evaluation.true_profile = profile_of(view.surface, map.cell_m);
+    evaluation.true_profile = profile_of(with_alternatives(view), map.cell_m);
     return evaluation;
 }
 

@@ -52,9 +52,10 @@ struct ObstacleMeasures {
     std::string name;
     ObstacleKind kind = ObstacleKind::other;
     std::uint64_t visible_cells = 0;
-    bool judged_with_ground = false; ///< all of its visible cells are touched by the ground too
-    Share found_cells;               ///< of its judged cells
-    bool found = false;
+    /// The ground touches every one of its visible cells: they do not tell it from the ground.
+    bool judged_with_ground = false;
+    Share found_cells;           ///< of its judged cells
+    bool found = false;          ///< never, if it is judged with the ground
     std::uint64_t map_cells = 0; ///< that are its own
     std::size_t objects = 0;     ///< that its own cells belong to
     double largest_share = 0.0;  ///< of its own cells in one object

@@ -59,7 +59,7 @@ Json json_of(const ObstacleMeasures& obstacle) {
     json["kind"] = name_of(obstacle.kind);
     json["visible_cells"] = obstacle.visible_cells;
     json["judged_with_ground"] = obstacle.judged_with_ground;
-    json["found"] = obstacle.found;
+    json["found"] = obstacle.judged_with_ground ? Json() : Json(obstacle.found);
     json["found_cells"] = json_of(obstacle.found_cells);
     json["map_cells"] = obstacle.map_cells;
     json["objects"] = obstacle.objects;

@@ -83,8 +83,10 @@ std::string obstacle_row(const ObstacleMeasures& obstacle) {
         name = name.substr(0, widest_name - 1) + "~";
     }
     return fmt::format("  {:<22} {:<5} {:>8} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7}  {}\n", name,
-                       obstacle.found ? "yes" : "NO", percent(obstacle.found_cells),
-                       or_dash(obstacle.horizontal_error_m, 2),
+                       obstacle.judged_with_ground ? "?"
+                       : obstacle.found            ? "yes"
+                                                   : "NO",
+                       percent(obstacle.found_cells), or_dash(obstacle.horizontal_error_m, 2),
                        or_dash(obstacle.vertical_error_m, 2), or_dash(obstacle.size_error_m, 2),
                        distance_of(obstacle.first_sight), distance_of(obstacle.detection),
                        seconds_between(obstacle.first_sight, obstacle.detection),
@@ -147,6 +149,12 @@ std::string notes(const Evaluation& evaluation) {
             "\nThe map has no history: it does not tell when obstacles were detected, and wrong "
             "free and\nunknown cells were counted in the last window only. Make it with "
             "zonegrid map --history.\n";
+    }
+    if (std::ranges::any_of(evaluation.obstacles,
+                            [](const auto& one) { return one.judged_with_ground; })) {
+        text +=
+            "\n?: the ground touches all of its visible cells, which cannot tell whether it was "
+            "found.\n";
     }
     if (evaluation.unplaced_hits > 0) {
         text += fmt::format("\n{} of {} true hits lie beside the cells of their surface.\n",

@@ -135,7 +135,8 @@ private:
             ++measures.found_cells.of;
             measures.found_cells.count += cells.contains_within(cell, 1) ? 1U : 0U;
         }
-        measures.found = measures.found_cells.value().value_or(0.0) >= found_share;
+        measures.found = !measures.judged_with_ground &&
+                         measures.found_cells.value().value_or(0.0) >= found_share;
     }
 
     void count_objects(const std::vector<std::uint32_t>& own, ObstacleMeasures& measures) const {

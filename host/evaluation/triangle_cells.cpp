@@ -32,13 +32,12 @@ public:
         : triangle_(triangle), box_(box), visit_(visit) {}
 
     void enter(const CellIndex& low, std::int32_t edge) {
+        const Eigen::Vector3d corner(low.x, low.y, low.z);
         const CellIndex high{low.x + edge - 1, low.y + edge - 1, low.z + edge - 1};
         if (high.x < box_.low.x || high.y < box_.low.y || high.z < box_.low.z ||
             low.x > box_.high.x || low.y > box_.high.y || low.z > box_.high.z ||
-            !touches_cube(triangle_,
-                          {static_cast<double>(low.x), static_cast<double>(low.y),
-                           static_cast<double>(low.z)},
-                          edge)) {
+            !touches_cube(triangle_, corner - Eigen::Vector3d::Constant(touch_slack),
+                          edge + 2.0 * touch_slack)) {
             return;
         }
         if (edge == 1) {
@@ -65,7 +64,7 @@ bool touches_cube(const CellTriangle& triangle, const Eigen::Vector3d& low, doub
     for (int axis = 0; axis < 3; ++axis) {
         const double least = std::min({triangle[0][axis], triangle[1][axis], triangle[2][axis]});
         const double greatest = std::max({triangle[0][axis], triangle[1][axis], triangle[2][axis]});
-        if (least >= low[axis] + edge || greatest < low[axis]) {
+        if (least > low[axis] + edge || greatest < low[axis]) {
             return false;
         }
     }
@@ -101,8 +100,10 @@ void for_each_touched_cell(const CellTriangle& triangle, const CellBox& box,
         const double least = std::min({triangle[0][i], triangle[1][i], triangle[2][i]});
         const double greatest = std::max({triangle[0][i], triangle[1][i], triangle[2][i]});
         // Clamped before rounding: a far triangle may lie beyond all whole numbers.
-        const double first = std::max(std::floor(least), static_cast<double>(box_lows[axis]));
-        const double last = std::min(std::floor(greatest), static_cast<double>(box_highs[axis]));
+        const double first =
+            std::max(std::floor(least - touch_slack), static_cast<double>(box_lows[axis]));
+        const double last =
+            std::min(std::floor(greatest + touch_slack), static_cast<double>(box_highs[axis]));
         if (first > last) {
             return;
         }

@@ -12,10 +12,12 @@ namespace zonegrid {
 /// Corners in cells: world coordinates divided by the edge of a cell.
 using CellTriangle = std::array<Eigen::Vector3d, 3>;
 
+/// A surface that comes this close to a cell, in cells, touches it: half a sub-cell, for a mapper
+/// cannot tell places apart any better. So a floor on a border touches the cells on either side.
+inline constexpr double touch_slack = 1.0 / 512.0;
+
 /// Whether a triangle and a cube of `edge` cells, whose least corner is `low`, have a point in
-/// common. The cube's faces at its least coordinates belong to it, those at its greatest do not, as
-/// it is with cells: a wall on a border belongs to the cells on its far side only. Where nothing
-/// but an edge or a corner of the cube meets the inside of a slanting triangle, that counts.
+/// common; faces, edges and corners belong to both.
 ///
 /// Source: the thirteen separating axes of T. Akenine-Moeller, "Fast 3D Triangle-Box Overlap
 /// Testing", Journal of Graphics Tools 6(1), 2001. In double, without slack.
@@ -33,7 +35,8 @@ struct CellBox {
     }
 };
 
-/// Calls `visit` once for every cell of the box that the triangle touches. Cost: in proportion to
+/// Calls `visit` once for every cell of the box that the triangle touches, `touch_slack` included:
+/// the cell's cube is that much larger on all sides. Cost: in proportion to
 /// these cells, whatever the triangle's size and slant.
 void for_each_touched_cell(const CellTriangle& triangle, const CellBox& box,
                            const std::function<void(const CellIndex&)>& visit);

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace zonegrid {
 namespace {
@@ -14,11 +15,14 @@ namespace {
 /// denser rays than free space does.
 constexpr int surface_rays = 4;
 
+/// Within so many cells of a border a hit lies on it: what touches from there, and rounding.
+constexpr double border_reach = 2.0 * touch_slack;
+
 /// Rays 2^this farther apart than the closest are followed from the camera on.
 constexpr int top_level = 5;
 
-constexpr double most_steps = 2e9;  ///< of rays through cells, all images together
-constexpr double least_images = 40; ///< whatever that takes
+constexpr double most_steps = 1e9;  ///< of rays through cells, all images together
+constexpr double least_images = 20; ///< whatever that takes
 constexpr double most_images = 600;
 
 /// The camera with only every `stride`-th pixel an axis, from the middle of the first stride on.
@@ -206,27 +210,39 @@ private:
         }
     }
 
-    /// A hit may be a rounding error away from the cells of its surface, where that lies on a
-    /// border.
+    /// Notes the cell of a hit; on a border the greatest of those that touch there, and by which
+    /// others it may be replaced.
     void take_hit(std::uint32_t obstacle, const Eigen::Vector3d& end) {
         if (truth_.surfaces.obstacles[obstacle].moving) {
             return;
         }
         ++view_.hits;
-        const double slack = std::max(1e-3, 1e-3 / options_.cell_m);
-        const CellSet& cells = touched_.of(obstacle);
-        for (const double sign : {0.0, 1.0, -1.0}) {
-            for (int axis = 0; axis < (sign == 0.0 ? 1 : 3); ++axis) {
-                const CellIndex cell =
-                    cell_at_m(end + sign * slack * Eigen::Vector3d::Unit(axis), 1.0);
-                if (cells.contains(cell)) {
-                    view_.surface.insert(cell);
-                    view_.surface_of[obstacle].insert(cell);
-                    return;
+        const Eigen::Vector3d reach = Eigen::Vector3d::Constant(border_reach);
+        const CellIndex high = cell_at_m(end + reach, 1.0);
+        const CellIndex low = cell_at_m(end - reach, 1.0);
+        std::optional<CellIndex> chosen;
+        for (unsigned steps = 0; steps < 8; ++steps) {
+            const CellIndex cell{(steps & 1U) != 0 ? low.x : high.x,
+                                 (steps & 2U) != 0 ? low.y : high.y,
+                                 (steps & 4U) != 0 ? low.z : high.z};
+            if (!touched_.of(obstacle).contains(cell)) {
+                continue;
+            }
+            if (!chosen) {
+                chosen = cell;
+                view_.surface.insert(cell);
+                view_.surface_of[obstacle].insert(cell);
+            } else if (cell != *chosen) {
+                const unsigned other = (cell.x < chosen->x ? 1U : 0U) |
+                                       (cell.y < chosen->y ? 2U : 0U) |
+                                       (cell.z < chosen->z ? 4U : 0U);
+                if (CellIndex{chosen->x - (other & 1U ? 1 : 0), chosen->y - (other & 2U ? 1 : 0),
+                              chosen->z - (other & 4U ? 1 : 0)} == cell) {
+                    view_.surface_or[other].insert(*chosen);
                 }
             }
         }
-        ++view_.unplaced_hits;
+        view_.unplaced_hits += chosen ? 0U : 1U;
     }
 
     const Truth& truth_;
@@ -242,6 +258,18 @@ private:
 };
 
 } // namespace
+
+std::vector<CellIndex> alternatives(const TrueView& view, const CellIndex& cell) {
+    std::vector<CellIndex> cells{cell};
+    for (unsigned steps = 1; steps < view.surface_or.size(); ++steps) {
+        if (view.surface_or[steps].contains(cell)) {
+            cells.push_back({cell.x - ((steps & 1U) != 0 ? 1 : 0),
+                             cell.y - ((steps & 2U) != 0 ? 1 : 0),
+                             cell.z - ((steps & 4U) != 0 ? 1 : 0)});
+        }
+    }
+    return cells;
+}
 
 int pixel_stride(const Camera& camera, double cell_m, double range_m) {
     const double focal_px = std::min(camera.fx_px, camera.fy_px);

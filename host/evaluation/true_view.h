@@ -3,6 +3,7 @@
 #include "evaluation/touched_cells.h"
 #include "truth/truth_folder.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -34,14 +35,20 @@ struct FirstSight {
 /// What a perfect sensor with the same camera would state of the cells.
 struct TrueView {
     CellSet surface; ///< in which a ray of an image ends, on a surface that does not move
-    CellSet free;    ///< that a ray passes and no surface touches that does not move
+    /// Cells of `surface` whose surface lies on a border, so that the cell beside them would do as
+    /// well: by which that is, one less in x (1), in y (2), in z (4), or several of them (sums).
+    std::array<CellSet, 8> surface_or;
+    CellSet free; ///< that a ray passes and no surface touches that does not move
     std::vector<CellSet> surface_of;                    ///< by obstacle; those that move have none
     std::vector<std::optional<FirstSight>> first_sight; ///< by obstacle
     std::size_t images = 0;                             ///< that were looked at
     std::uint64_t hits = 0;                             ///< rays that ended on a surface
-    /// Hits in or beside no cell that their obstacle touches: none, but for rounding.
+    /// Hits in no cell that their obstacle touches: none, but for rounding.
     std::uint64_t unplaced_hits = 0;
 };
+
+/// A visible surface cell and those that would do as well.
+[[nodiscard]] std::vector<CellIndex> alternatives(const TrueView& view, const CellIndex& cell);
 
 /// Pixels between neighbouring rays that are followed, so that they are closer than half a cell at
 /// the range; at least 1.

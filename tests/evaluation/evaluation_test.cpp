@@ -146,6 +146,35 @@ TEST(Evaluation, GivesAFreeMapEveryWrongFreeCell) {
     EXPECT_FALSE(marks.obstacles[1].found);
 }
 
+TEST(Evaluation, TakesEitherCellForASurfaceOnTheirBorder) {
+    Truth truth;
+    truth.camera = north_camera();
+    truth.images.push_back(looking_north(0.0, {0.5, 0.5, 0.5}));
+    add_rectangle(truth.surfaces, {Eigen::Vector3f(10.0F, -4.4F, -4.4F),
+                                   {10.0F, 5.4F, -4.4F},
+                                   {10.0F, 5.4F, 5.4F},
+                                   {10.0F, -4.4F, 5.4F}});
+    end_obstacle(truth.surfaces, "wall", ObstacleKind::building);
+    // A wall of 121 cells, on either side of its plane; the lesser half of y before, the rest
+    // beyond.
+    CellSet occupied = cells_of_box({9, -5, -5}, {9, -1, 5});
+    occupied.insert_all(cells_of_box({10, 0, -5}, {10, 5, 5}));
+    const Evaluation marks =
+        evaluate(map_of(truth, occupied, cells_of_box({9, 0, -5}, {9, 5, 5})), truth);
+    EXPECT_THAT(marks.cells.precision[0], IsShare(121, 121));
+    EXPECT_THAT(marks.cells.recall[0], IsShare(121, 121));
+    EXPECT_THAT(marks.cells.unknown_surface, IsShare(0, 121));
+    EXPECT_THAT(marks.cells.wrong_free_surface, IsShare(0, 121));
+    const Evaluation none =
+        evaluate(map_of(truth, {}, cells_of_box({9, -5, -5}, {9, 5, 5})), truth);
+    EXPECT_THAT(none.cells.recall[2], IsShare(0, 121));
+    EXPECT_THAT(none.cells.wrong_free_surface, IsShare(0, 121)); // what is beyond is unknown
+    EXPECT_THAT(none.cells.unknown_surface, IsShare(0, 121));
+    const Evaluation free =
+        evaluate(map_of(truth, {}, cells_of_box({9, -5, -5}, {10, 5, 5})), truth);
+    EXPECT_THAT(free.cells.wrong_free_surface, IsShare(121, 121));
+}
+
 TEST(Evaluation, CountsOnlyTheLastWindowWithoutAHistory) {
     const Truth truth = wall_and_box();
     JudgedMap map = map_of(truth, visible_surface(), {});

@@ -62,6 +62,18 @@ TEST(Moving, CellsWhereItIsAtTheEndAreNoTrailAndNoFalseObstacle) {
     EXPECT_EQ(behind.cells.precision[2].count, 0U);
 }
 
+TEST(Moving, CellsWhereItIsSeenAreNotFree) {
+    Truth truth = passing_cube();
+    truth.images.resize(1);
+    const CellBox region{{-50, -50, -50}, {50, 50, 50}};
+    const TrueView view =
+        look_around(truth, touch_cells(truth.surfaces, 1.0, region), draw_every_triangle(truth),
+                    {1.0, 20.0, 0, 1, 1}, [](std::size_t) {});
+    EXPECT_FALSE(view.free.contains({10, -4, 0}));
+    EXPECT_TRUE(view.free.contains({9, -4, 0}));
+    EXPECT_TRUE(view.surface.empty());
+}
+
 TEST(Moving, CellsFarFromItsWayAreNot) {
     const auto marks = judge(one({10, 8, 0}), 4);
     EXPECT_EQ(marks.trail_cells, 0U);

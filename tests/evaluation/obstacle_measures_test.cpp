@@ -1,5 +1,6 @@
 #include "evaluation/obstacle_measures.h"
 
+#include "evaluation/evaluation_json.h"
 #include "evaluation/small_truth.h"
 
 #include <gmock/gmock.h>
@@ -68,6 +69,15 @@ TEST(Obstacles, StandingOnGroundAreJoinedWithItNotMerged) {
     EXPECT_TRUE(named(marks, "floor").found);
 }
 
+TEST(Obstacles, StandOnGroundThatIsSolidBelowAsFarAsItReaches) {
+    const Truth truth = two_posts();
+    const Evaluation marks =
+        evaluate(map_of(truth, {}, cells_of_box({-5, -10, -10}, {20, 9, 5})), truth);
+    // Under the floor, x = 1 .. 14 and y = -7 .. 6: the layers z = 3 .. 5.
+    EXPECT_EQ(marks.cells.wrong_free_solid.count, 14U * 14U * 3U);
+    EXPECT_EQ(marks.cells.wrong_free_solid.of, 26U * 20U * 16U);
+}
+
 TEST(Obstacles, AreNotFoundInTheGroundBelowThem) {
     const Truth truth = two_posts();
     const Evaluation marks = evaluate(map_of(truth, floor_cells(), {}), truth);
@@ -76,6 +86,18 @@ TEST(Obstacles, AreNotFoundInTheGroundBelowThem) {
     EXPECT_EQ(post.map_cells, 0U);
     EXPECT_FALSE(post.found);
     EXPECT_FALSE(post.detection.has_value());
+}
+
+TEST(Obstacles, WhoseCellsAreAllTheGroundsAreNotFoundByIt) {
+    Truth truth = two_posts();
+    add_box(truth.surfaces, {6.2F, -0.8F, 2.1F}, {6.8F, 0.8F, 2.5F});
+    end_obstacle(truth.surfaces, "sill", ObstacleKind::other);
+    const Evaluation marks = evaluate(map_of(truth, floor_cells(), {}), truth);
+    const auto& sill = named(marks, "sill");
+    EXPECT_TRUE(sill.judged_with_ground);
+    EXPECT_GT(sill.found_cells.count, 0U);
+    EXPECT_FALSE(sill.found);
+    EXPECT_TRUE(json_of(marks)["obstacles"]["each"][3]["found"].is_null());
 }
 
 TEST(Obstacles, AreMergedByABridgeOfCells) {

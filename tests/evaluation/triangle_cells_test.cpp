@@ -25,25 +25,38 @@ std::set<CellIndex> cells_of(const CellTriangle& triangle, const CellBox& box = 
     return cells;
 }
 
-TEST(TriangleCells, OfAPointAreTheOneThatHoldsIt) {
+TEST(TriangleCells, OfAPointAreThoseThatItLiesInOrOn) {
     const Eigen::Vector3d point(2.5, -0.5, 7.0);
-    EXPECT_THAT(cells_of({point, point, point}), ElementsAre(CellIndex{2, -1, 7}));
+    EXPECT_THAT(cells_of({point, point, point}),
+                ElementsAre(CellIndex{2, -1, 6}, CellIndex{2, -1, 7}));
 }
 
-TEST(TriangleCells, OfAPlaneOnABorderLieBeyondItOnly) {
-    // Ground at z = 0 belongs to the layer below it, z being down.
-    const auto cells = cells_of({Eigen::Vector3d(0.5, 0.5, 0.0), {2.5, 0.5, 0.0}, {0.5, 2.5, 0.0}});
-    // The hypotenuse runs from (2.5, 0.5) to (0.5, 2.5): it passes (1.5, 1.5), but not cell (2, 2),
-    // and (2, 1) only at its corner (2, 1).
-    EXPECT_THAT(cells, ElementsAre(CellIndex{0, 0, 0}, CellIndex{0, 1, 0}, CellIndex{0, 2, 0},
-                                   CellIndex{1, 0, 0}, CellIndex{1, 1, 0}, CellIndex{1, 2, 0},
-                                   CellIndex{2, 0, 0}, CellIndex{2, 1, 0}));
+TEST(TriangleCells, AreTouchedByWhatComesWithinHalfASubCell) {
+    for (const double z : {7.0019, 6.9981}) {
+        const Eigen::Vector3d point(2.5, -0.5, z);
+        EXPECT_EQ(cells_of({point, point, point}).size(), 2U) << z;
+    }
+    const Eigen::Vector3d above(2.5, -0.5, 6.998); // 1 / 512 = 0.00195
+    EXPECT_THAT(cells_of({above, above, above}), ElementsAre(CellIndex{2, -1, 6}));
+}
+
+TEST(TriangleCells, OfAPlaneOnABorderLieOnBothSides) {
+    const auto cells = cells_of({Eigen::Vector3d(0.5, 0.5, 0.0), {2.4, 0.5, 0.0}, {0.5, 2.4, 0.0}});
+    // The hypotenuse, x + y = 2.9, passes (1, 1), but neither (2, 1) nor (1, 2), whose least
+    // corners have the sum 3.
+    for (const std::int32_t z : {-1, 0}) {
+        for (const auto& [x, y] : {std::pair{0, 0}, {0, 1}, {0, 2}, {1, 0}, {1, 1}, {2, 0}}) {
+            EXPECT_TRUE(cells.contains({x, y, z})) << x << " " << y << " " << z;
+        }
+    }
+    EXPECT_EQ(cells.size(), 12U);
 }
 
 TEST(TriangleCells, OfASlantAreOnlyThoseItPasses) {
-    // The plane x + y + z = 1.5 in the unit cells around the origin: it cuts (0, 0, 0), and passes
-    // (1, 1, 1), whose nearest corner has the sum 3, at a distance.
-    const CellTriangle slant{Eigen::Vector3d(1.5, 0.0, 0.0), {0.0, 1.5, 0.0}, {0.0, 0.0, 1.5}};
+    // The plane x + y + z = 1.6, of which the part with coordinates above 0.05: it cuts (0, 0, 0),
+    // and passes (1, 1, 1), whose nearest corner has the sum 3, at a distance.
+    const CellTriangle slant{
+        Eigen::Vector3d(1.5, 0.05, 0.05), {0.05, 1.5, 0.05}, {0.05, 0.05, 1.5}};
     EXPECT_TRUE(touches_cube(slant, {0, 0, 0}, 1.0));
     EXPECT_TRUE(touches_cube(slant, {1, 0, 0}, 1.0));
     EXPECT_FALSE(touches_cube(slant, {1, 1, 0}, 1.0)); // sum 2 at its least corner
@@ -106,7 +119,8 @@ TEST(TriangleCells, EqualWhatIsLeftWhenTrianglesAreCut) {
         for (std::int32_t z = -10; z < 10; ++z) {
             for (std::int32_t y = -10; y < 10; ++y) {
                 for (std::int32_t x = -10; x < 10; ++x) {
-                    if (touches_by_cutting(triangle, Eigen::Vector3d(x, y, z), 1.0)) {
+                    if (touches_by_cutting(triangle, Eigen::Vector3d(x, y, z).array() - touch_slack,
+                                           1.0 + 2.0 * touch_slack)) {
                         expected.insert({x, y, z});
                         ++touched;
                     } else {
