@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -64,12 +63,18 @@ std::string coding_text(const DepthCoding& coding) {
 } // namespace
 
 SensorMounting mounting_of(const Eigen::Isometry3d& body_from_camera) {
+    // Where the sensor looks straight up or down, roll and yaw turn about the same line: yaw alone.
+    constexpr double vertical = 1e-9;
     const Eigen::Matrix3d turn = body_from_camera.linear() * body_from_forward_camera().transpose();
+    const double level = std::hypot(turn(2, 1), turn(2, 2));
+    const bool turns_once = level < vertical;
+    const double roll_rad = turns_once ? 0.0 : std::atan2(turn(2, 1), turn(2, 2));
+    const double pitch_rad = std::atan2(-turn(2, 0), level);
+    const double yaw_rad =
+        turns_once ? std::atan2(-turn(0, 1), turn(1, 1)) : std::atan2(turn(1, 0), turn(0, 0));
     // 0 added: -0 reads oddly.
     return {body_from_camera.translation(),
-            deg_per_rad * Eigen::Vector3d(std::atan2(turn(2, 1), turn(2, 2)) + 0.0,
-                                          std::asin(std::clamp(-turn(2, 0), -1.0, 1.0)) + 0.0,
-                                          std::atan2(turn(1, 0), turn(0, 0)) + 0.0)};
+            deg_per_rad * Eigen::Vector3d(roll_rad + 0.0, pitch_rad + 0.0, yaw_rad + 0.0)};
 }
 
 void write_plain_description(const std::filesystem::path& file, const PlainSensor& sensor) {

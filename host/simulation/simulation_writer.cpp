@@ -99,7 +99,8 @@ void write_images(const std::filesystem::path& folder, const Scene& scene,
                   const SimulationOptions& options, const SimulatedFlight& flight,
                   const StereoSensor& sensor, const std::function<void(std::uint64_t)>& observe) {
     Painter painter(scene, flight);
-    const std::size_t batch = 2 * std::max(1U, std::thread::hardware_concurrency());
+    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+    const std::size_t batch = 2 * cores;
     const bool mixes = options.sensor.screen_px > 0.0;
     std::optional<std::uint64_t> last_number;
     Exposure last;

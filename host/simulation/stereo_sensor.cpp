@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <utility>
 
 namespace zonegrid {
 namespace {
@@ -85,7 +84,7 @@ Exposure mix(const Camera& camera, const Exposure& exposure, const Exposure& pre
 
 } // namespace
 
-StereoSensor::StereoSensor(const Camera& camera, std::vector<double> texture,
+StereoSensor::StereoSensor(const Camera& camera, std::span<const double> texture,
                            const SensorFaults& faults, std::uint64_t seed)
     : camera_(camera), faults_(faults), seed_(seed) {
     if (camera.stereo) {

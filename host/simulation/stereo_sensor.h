@@ -4,6 +4,7 @@
 #include "zonegrid/sensors.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,7 +22,7 @@ class StereoSensor {
 public:
     /// `texture` is that of each obstacle, 0 ... 1. Throws UsageError if a fault needs `stereo` and
     /// the camera has none.
-    StereoSensor(const Camera& camera, std::vector<double> texture, const SensorFaults& faults,
+    StereoSensor(const Camera& camera, std::span<const double> texture, const SensorFaults& faults,
                  std::uint64_t seed);
 
     /// Depth of image `number` in metres: missing pixels are 0, sky and what has no disparity is

@@ -34,7 +34,7 @@ RTCGeometry make_geometry(RTCDevice device, const Surfaces& surfaces,
             corner[i] = renumbered[vertex];
         }
     }
-    const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* const geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     if (!triangles.empty()) {
         auto* const vertex_target = static_cast<float*>(
             rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -56,7 +56,7 @@ RTCGeometry make_geometry(RTCDevice device, const Surfaces& surfaces,
 }
 
 RTCScene make_scene(RTCDevice device) {
-    const RTCScene scene = rtcNewScene(device);
+    auto* const scene = rtcNewScene(device);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST); // no ray slips between two triangles
     return scene;
 }
@@ -78,7 +78,7 @@ public:
     Handles(const Handles&) = delete;
     Handles& operator=(const Handles&) = delete;
     ~Handles() {
-        for (const RTCGeometry instance : instances) {
+        for (auto* const instance : instances) {
             rtcReleaseGeometry(instance);
         }
         rtcReleaseScene(scene);
@@ -95,7 +95,7 @@ TriangleScene::TriangleScene() : handles_(std::make_unique<Handles>()) {}
 TriangleScene::~TriangleScene() = default;
 
 void TriangleScene::add_triangles(const Surfaces& surfaces, std::vector<std::uint32_t> triangles) {
-    const RTCGeometry geometry = make_geometry(handles_->device, surfaces, triangles);
+    auto* const geometry = make_geometry(handles_->device, surfaces, triangles);
     rtcAttachGeometryByID(handles_->scene, geometry, still_part);
     rtcReleaseGeometry(geometry);
     triangles_.push_back(std::move(triangles));
@@ -103,12 +103,12 @@ void TriangleScene::add_triangles(const Surfaces& surfaces, std::vector<std::uin
 
 void TriangleScene::add_moving_triangles(const Surfaces& surfaces,
                                          std::vector<std::uint32_t> triangles) {
-    const RTCScene part = make_scene(handles_->device);
-    const RTCGeometry geometry = make_geometry(handles_->device, surfaces, triangles);
+    auto* const part = make_scene(handles_->device);
+    auto* const geometry = make_geometry(handles_->device, surfaces, triangles);
     rtcAttachGeometry(part, geometry);
     rtcReleaseGeometry(geometry);
     rtcCommitScene(part);
-    const RTCGeometry instance = rtcNewGeometry(handles_->device, RTC_GEOMETRY_TYPE_INSTANCE);
+    auto* const instance = rtcNewGeometry(handles_->device, RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(instance, part);
     rtcReleaseScene(part);
     rtcCommitGeometry(instance);
@@ -118,7 +118,7 @@ void TriangleScene::add_moving_triangles(const Surfaces& surfaces,
 }
 
 void TriangleScene::place(std::size_t number, const Eigen::Isometry3d& world_from_part) {
-    const RTCGeometry instance = handles_->instances[number];
+    auto* const instance = handles_->instances[number];
     const Eigen::Matrix<float, 3, 4> columns = world_from_part.matrix().topRows<3>().cast<float>();
     rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
     rtcCommitGeometry(instance);
@@ -144,7 +144,7 @@ std::optional<TriangleHit> TriangleScene::cast(const Eigen::Vector3f& start_m,
 void TriangleScene::cast_row(const Eigen::Vector3f& start_m,
                              std::span<const Eigen::Vector3f> directions,
                              std::span<TriangleHit> hits) const {
-    RTCIntersectContext context;
+    RTCIntersectContext context{};
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     for (std::size_t first = 0; first < directions.size(); first += packet_rays) {

@@ -250,7 +250,8 @@ TEST(Simulation, DelaysAndLosesImages) {
                 waiting.image_times_s.end());
 }
 
-TEST(Simulation, CarriesMovingObstacles) {
+/// The wall, and before it a plate that rises from a standstill to the east.
+Scene vehicle_scene() {
     Scene scene = wall_scene();
     for (const auto& [east_m, down_m] :
          {std::pair{-1.0F, 1.0F}, std::pair{1.0F, 1.0F}, std::pair{0.0F, -2.0F}}) {
@@ -265,20 +266,54 @@ TEST(Simulation, CarriesMovingObstacles) {
     from.position_m = {15.0, 0.0, -5.0};
     from.yaw_rad = 0.0;
     Waypoint to = from;
-    to.position_m = {15.0, 12.0, -5.0};
+    to.position_m = {15.0, 12.0, -6.0};
     vehicle.route.waypoints = {from, to};
     scene.vehicles = {vehicle};
-    const Simulated simulated(SimulationOptions{}, scene);
+    return scene;
+}
+
+TEST(Simulation, CarriesMovingObstacles) {
+    const Simulated simulated(SimulationOptions{}, vehicle_scene());
     const auto recording = open(simulated);
     const Truth truth = read_truth(simulated.path() / "truth");
     ASSERT_EQ(truth.motions.size(), 1U);
-    const auto ahead_m = [&](std::size_t image) {
-        return recording->read_frame(image).depth_m[64 * 24 + 32];
-    };
-    EXPECT_NEAR(ahead_m(0), 14.5, 0.1); // the vehicle, before the wall
-    const std::size_t last = recording->frames().size() - 1;
-    EXPECT_GT(ahead_m(last), 20.0); // the wall: the vehicle has gone
-    EXPECT_GT(truth.motions[0].at(truth.images[last].time_s).translation().y(), 1.0);
+    for (std::size_t i = 0; i < truth.images.size(); ++i) {
+        const TrueImage& image = truth.images[i];
+        const Eigen::Vector3d place = truth.motions[0].at(image.time_s).translation();
+        const Eigen::Vector3d seen = image.world_from_camera.inverse() * place;
+        const long u = std::lround(31.5 + 67.0 * seen.x() / seen.z());
+        const long v = std::lround(23.5 + 66.0 * seen.y() / seen.z());
+        const float depth_m =
+            recording->read_frame(i).depth_m[static_cast<std::size_t>(64 * v + u)];
+        ASSERT_NEAR(depth_m, seen.z(), 0.1) << i; // before the wall
+    }
+    EXPECT_GT(truth.motions[0].at(truth.images.back().time_s).translation().y(), 1.5);
+}
+
+TEST(Simulation, MixesAnExposureWithTheOneBefore) {
+    Scene scene = vehicle_scene();
+    scene.image_rate_hz = 4.0; // the vehicle moves on between two images
+    SimulationOptions options;
+    const Simulated clear(options, scene);
+    options.sensor.screen_px = 1e-6;
+    const Simulated mixed(options, scene);
+    const auto exact = open(clear);
+    const auto screen = open(mixed);
+    std::size_t from_before = 0;
+    for (std::size_t i = 1; i < exact->frames().size(); ++i) {
+        const std::vector<float> now_m = exact->read_frame(i).depth_m;
+        const std::vector<float> before_m = exact->read_frame(i - 1).depth_m;
+        const std::vector<float> seen_m = screen->read_frame(i).depth_m;
+        for (std::size_t pixel = 0; pixel < now_m.size(); ++pixel) {
+            const auto is = [&](float depth_m) {
+                return std::isinf(depth_m) ? std::isinf(seen_m[pixel])
+                                           : std::abs(depth_m - seen_m[pixel]) < 0.005F;
+            };
+            ASSERT_TRUE(is(now_m[pixel]) || is(before_m[pixel])) << i << " " << pixel;
+            from_before += is(now_m[pixel]) ? 0U : 1U;
+        }
+    }
+    EXPECT_GT(from_before, 100U);
 }
 
 TEST(Simulation, WritesDepthUpTo128Metres) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -21,6 +22,7 @@ using ::testing::ThrowsMessage;
 
 constexpr int width = 320;
 constexpr int height = 240;
+constexpr std::array full_texture{1.0};
 constexpr float sky_m = std::numeric_limits<float>::infinity();
 
 /// f b = 335 * 0.3 = 100.5: at 20 m a disparity of 5.025 pixels.
@@ -68,7 +70,8 @@ Exposure plate() {
 
 std::vector<float> see(const SensorFaults& faults, const Exposure& exposure,
                        std::uint64_t number = 0, std::uint64_t seed = 1, double texture = 1.0) {
-    return StereoSensor(stereo_camera(), {texture}, faults, seed).see(number, exposure, exposure);
+    return StereoSensor(stereo_camera(), std::array{texture}, faults, seed)
+        .see(number, exposure, exposure);
 }
 
 SensorFaults with_noise(double sigma_px) {
@@ -81,7 +84,7 @@ TEST(StereoSensor, IsExactWithoutFaults) {
     const Exposure exposure = exposure_of(
         [](int u, int v) { return v < 50 ? sky_m : 3.0F + 0.37F * static_cast<float>(u % 100); });
     EXPECT_EQ(see({}, exposure), exposure.depth_m);
-    EXPECT_FALSE(StereoSensor(stereo_camera(), {1.0}, {}, 1).noise());
+    EXPECT_FALSE(StereoSensor(stereo_camera(), full_texture, {}, 1).noise());
 }
 
 TEST(StereoSensor, ScattersAsTheFormulaSays) {
@@ -109,7 +112,7 @@ TEST(StereoSensor, ScattersAsTheFormulaSays) {
 TEST(StereoSensor, TellsTheMapperHowItScatters) {
     SensorFaults faults = with_noise(0.3);
     faults.disparity_step_px = 0.5;
-    const auto noise = StereoSensor(stereo_camera(), {1.0}, faults, 1).noise();
+    const auto noise = StereoSensor(stereo_camera(), full_texture, faults, 1).noise();
     ASSERT_TRUE(noise);
     EXPECT_DOUBLE_EQ(noise->baseline_m, 0.3);
     EXPECT_DOUBLE_EQ(noise->disparity_sigma_px, std::sqrt(0.09 + 0.25 / 12.0));
@@ -243,7 +246,7 @@ TEST(StereoSensor, TakesSkyAsInfiniteOrMissing) {
 TEST(StereoSensor, MixesExposuresOfAScreen) {
     SensorFaults faults;
     faults.screen_px = 1e-6; // stripes that hardly show
-    const StereoSensor sensor(stereo_camera(), {1.0}, faults, 1);
+    const StereoSensor sensor(stereo_camera(), full_texture, faults, 1);
     const std::vector<float> depth_m = sensor.see(3, wall(20.0F), wall(10.0F));
     double earlier = 0.0;
     for (const float value : depth_m) {
@@ -291,11 +294,11 @@ TEST(StereoSensor, KeepsFaultsApart) {
 TEST(StereoSensor, NeedsAStereoCameraForItsFaults) {
     Camera camera = stereo_camera();
     camera.stereo.reset();
-    EXPECT_THAT([&] { const StereoSensor sensor(camera, {1.0}, with_noise(0.1), 1); },
+    EXPECT_THAT([&] { const StereoSensor sensor(camera, full_texture, with_noise(0.1), 1); },
                 ThrowsMessage<UsageError>(HasSubstr("no stereo camera")));
     SensorFaults sky;
     sky.missing_sky = true;
-    const StereoSensor sensor(camera, {1.0}, sky, 1);
+    const StereoSensor sensor(camera, full_texture, sky, 1);
     EXPECT_EQ(sensor.see(0, wall(sky_m), wall(sky_m))[0], 0.0F);
     EXPECT_EQ(sensor.see(0, wall(9.0F), wall(9.0F))[0], 9.0F);
 }

@@ -191,8 +191,8 @@ SimulationOptions simulation_options(const SimulateSettings& settings,
 
 std::filesystem::path scene_file(const std::string& name) {
     std::error_code error;
-    const std::filesystem::path file = name;
-    const std::filesystem::path named = std::filesystem::path("scenes") / (name + ".toml");
+    std::filesystem::path file = name;
+    std::filesystem::path named = std::filesystem::path("scenes") / (name + ".toml");
     if (std::filesystem::is_regular_file(file, error)) {
         return file;
     }
