@@ -40,22 +40,20 @@ Camera thinned(const Camera& camera, int stride) {
 
 /// One axis of a way through cells.
 struct AxisWalk {
-    std::int32_t cell;
-    std::int32_t step;
-    double next;  ///< share of the way at which the next border lies
-    double width; ///< share of the way from border to border
-    std::int64_t borders;
+    std::int32_t cell = 0;
+    std::int32_t step = 0;
+    double next = 0.0;  ///< share of the way at which the next border lies
+    double width = 0.0; ///< share of the way from border to border
+    std::int64_t borders = 0;
 
-    AxisWalk(double start, double end) {
-        const double way = end - start;
-        const double first = std::floor(start);
-        cell = static_cast<std::int32_t>(first);
-        borders = std::abs(static_cast<std::int64_t>(std::floor(end)) - cell);
-        step = way > 0.0 ? 1 : -1;
-        width = 1.0 / std::abs(way);
+    AxisWalk(double start, double end)
+        : cell(static_cast<std::int32_t>(std::floor(start))),
+          step(end > start ? 1 : -1),
+          width(1.0 / std::abs(end - start)),
+          borders(std::abs(static_cast<std::int64_t>(std::floor(end)) - cell)) {
+        const double to_border = end > start ? cell + 1.0 - start : start - cell;
         // Infinite where there is no border to come, so that rounding cannot bring one.
-        next = borders == 0 ? std::numeric_limits<double>::infinity()
-                            : (way > 0.0 ? first + 1.0 - start : start - first) * width;
+        next = borders == 0 ? std::numeric_limits<double>::infinity() : to_border * width;
     }
 
     void advance() {
@@ -282,7 +280,9 @@ int pixel_stride(const Camera& camera, double cell_m, double range_m) {
 
 std::size_t choose_every(const Camera& camera, const TrueViewOptions& options) {
     const int stride = pixel_stride(camera, options.cell_m, options.range_m);
-    const double rays = static_cast<double>(camera.width_px / stride) * (camera.height_px / stride);
+    const int columns = camera.width_px / stride;
+    const int rows = camera.height_px / stride;
+    const double rays = static_cast<double>(columns) * static_cast<double>(rows);
     const double steps = std::max(rays * 1.5 * options.range_m / options.cell_m, 1.0);
     const double images = std::clamp(most_steps / steps, least_images, most_images);
     const auto given = static_cast<double>(options.last_image - options.first_image);

@@ -21,7 +21,7 @@ using ZoneStreamMagic = std::array<std::uint8_t, 8>;
 
 /// Which of the files it is.
 struct ZoneStreamKind {
-    ZoneStreamMagic magic;
+    ZoneStreamMagic magic{};
     std::uint32_t version = 0;
     std::size_t header_bytes = 0; ///< magic and version, which are its first 12, among them
     const char* word = "";        ///< how messages call it: "grid"

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace zonegrid {
@@ -37,7 +38,7 @@ struct ZoneHistory {
 /// Memory: a byte a cell of every zone ever touched, and twelve a cell ever occupied.
 class MapHistory {
 public:
-    explicit MapHistory(const MapperOptions& options) : options_(options) {}
+    explicit MapHistory(MapperOptions options) : options_(std::move(options)) {}
 
     /// Says which image is next.
     void begin_image(std::uint32_t image) { image_ = image; }

@@ -62,16 +62,24 @@ TEST(Moving, CellsWhereItIsAtTheEndAreNoTrailAndNoFalseObstacle) {
     EXPECT_EQ(behind.cells.precision[2].count, 0U);
 }
 
-TEST(Moving, CellsWhereItIsSeenAreNotFree) {
-    Truth truth = passing_cube();
-    truth.images.resize(1);
+TEST(Moving, SurfacesAreNotFreeWhereTheyAreSeen) {
+    Truth truth;
+    truth.camera = north_camera();
+    truth.images.push_back(looking_north(0.0, {0.5, 0.5, 0.5}));
+    add_box(truth.surfaces, {-0.1F, -3.0F, -3.0F}, {0.1F, 3.0F, 3.0F});
+    end_obstacle(truth.surfaces, "plate", ObstacleKind::other, true);
+    MovingPose pose;
+    pose.world_from_obstacle.translation() = Eigen::Vector3d(10.5, 0.5, 0.5);
+    truth.motions.push_back({0, {pose}});
     const CellBox region{{-50, -50, -50}, {50, 50, 50}};
     const TrueView view =
         look_around(truth, touch_cells(truth.surfaces, 1.0, region), draw_every_triangle(truth),
                     {1.0, 20.0, 0, 1, 1}, [](std::size_t) {});
-    EXPECT_FALSE(view.free.contains({10, -4, 0}));
-    EXPECT_TRUE(view.free.contains({9, -4, 0}));
+    EXPECT_FALSE(view.free.contains({10, 0, 0}));
+    EXPECT_TRUE(view.free.contains({9, 0, 0}));
     EXPECT_TRUE(view.surface.empty());
+    ASSERT_TRUE(view.first_sight[0].has_value());
+    EXPECT_NEAR(view.first_sight[0]->distance_m, 9.9, 0.01);
 }
 
 TEST(Moving, CellsFarFromItsWayAreNot) {
