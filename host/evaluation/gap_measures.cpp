@@ -42,7 +42,7 @@ Eigen::Vector2d middle_of(const Surfaces& surfaces, const TrueObstacle& obstacle
     return box.center();
 }
 
-/// The line through points that fits them best.
+/// The line through points that fits them best, from the first to the last.
 Row row_of(std::span<const Eigen::Vector2d> points) {
     Row row;
     row.origin = std::accumulate(points.begin(), points.end(), Eigen::Vector2d(0.0, 0.0)) /
@@ -52,6 +52,9 @@ Row row_of(std::span<const Eigen::Vector2d> points) {
         spread += (point - row.origin) * (point - row.origin).transpose();
     }
     row.along = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvectors().col(1);
+    if (row.along.dot(points.back() - points.front()) < 0.0) {
+        row.along = -row.along;
+    }
     return row;
 }
 

@@ -19,8 +19,8 @@ TEST_F(ConfigTest, ComesBackTheSame) {
         "recording -o 'my \"map\"' --cell 0.25 --range 1e1 --model span --zone 8 --limit 100 "
         "--hit 3 --miss 2 --threshold 4 --span-sigmas 2.5 --max-gap 0.1 --layout poses "
         "--world-axes z_up --intrinsics 525 525.5 319.5 -2 --depth-scale 5000 --baseline 0.1 "
-        "--disparity-sigma 0.5 --backend auto --device 'a chip' --frames :5 --cut-height -2 "
-        "--overwrite --json --quiet";
+        "--disparity-sigma 0.5 --backend auto --device 'a chip' --device-memory 100 --copy-memory "
+        "--frames :5 --cut-height -2 --history --overwrite --json --quiet";
     const CommandResult first = run("zonegrid map " + options + " --dump-config");
     ASSERT_EQ(first.exit_code, 0) << first.errors;
     EXPECT_THAT(first.output, Not(HasSubstr("not set")));
