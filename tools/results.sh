@@ -90,18 +90,36 @@ row() {
         | join(" | ")' "$out/judged/$1/evaluation.json"
 }
 
-head_of_table() {
-    echo "| $1 | precision | within 1 | recall | within 1 | free: surface | solid | occupied: free | unknown | found | merged | aside | size | held from | ms |"
+head_of_rows() {
+    echo "| map | precision | within 1 | recall | within 1 | free: surface | solid | occupied: free | unknown | found | merged | aside | size | held from | ms |"
     echo "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
 }
+head_of_thin_rows() {
+    echo "| map | telephone wire, 10 mm | guys, 20 mm | power wires, 30 mm | poles | lattice mast |"
+    echo "|---|---|---|---|---|---|"
+}
 
-# tabulate TABLE WHAT: the rows of the plan.
+# thin_row NAME: a line of the table of thin obstacles: for each group the median distance from which one is held, the
+# share of its cells that are found and that were erased again.
+thin_row() {
+    jq -r "$percent"'
+        def group($names): [.obstacles.each[] | select(.name | test($names))] as $all
+            | ([$all[].detection.distance_m] | median | metres) + "; "
+              + ([$all[].found_cells | select(. != null)] | ([.[].count] | add) as $n | ([.[].of] | add) as $of
+                 | (if ($of // 0) == 0 then null else $n / $of end) | percent) + "; "
+              + ([$all[].erased_cells] | ([.[].count] | add) as $n | ([.[].of] | add) as $of
+                 | (if ($of // 0) == 0 then null else $n / $of end) | percent);
+        [group("^telephone wire"), group("^guy"), group("^power wire"), group("pole"), group("^lattice")]
+        | join(" | ")' "$out/judged/$1/evaluation.json"
+}
+
+# tabulate TABLE ROW: the rows of the plan.
 tabulate() {
     local table="$1" name
     {
-        head_of_table "$2"
+        "head_of_${2}s"
         while read -r name _; do
-            [[ -z "$name" ]] || echo "| ${name#"$table"-} | $(row "$name") |"
+            [[ -z "$name" ]] || echo "| ${name#"$table"-} | $("$2" "$name") |"
         done <"$out/$table.plan"
     } >"$out/$table.md"
     echo "$out/$table.md"
@@ -212,5 +230,9 @@ for table in "${tables[@]}"; do
     esac
     "table_$table" >"$out/$table.plan"
     carry_out "$out/$table.plan"
-    tabulate "$table" "flight"
+    if [[ $table == wires ]]; then
+        tabulate "$table" thin_row
+    else
+        tabulate "$table" row
+    fi
 done

@@ -56,6 +56,7 @@ struct ObstacleMeasures {
     bool judged_with_ground = false;
     Share found_cells;           ///< of its judged cells
     bool found = false;          ///< never, if it is judged with the ground
+    Share erased_cells;          ///< of its judged cells that were ever occupied: not at the end
     std::uint64_t map_cells = 0; ///< that are its own
     std::size_t objects = 0;     ///< that its own cells belong to
     double largest_share = 0.0;  ///< of its own cells in one object

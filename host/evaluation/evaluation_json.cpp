@@ -61,6 +61,7 @@ Json json_of(const ObstacleMeasures& obstacle) {
     json["judged_with_ground"] = obstacle.judged_with_ground;
     json["found"] = obstacle.judged_with_ground ? Json() : Json(obstacle.found);
     json["found_cells"] = json_of(obstacle.found_cells);
+    json["erased_cells"] = json_of(obstacle.erased_cells);
     json["map_cells"] = obstacle.map_cells;
     json["objects"] = obstacle.objects;
     json["split"] = obstacle.split();

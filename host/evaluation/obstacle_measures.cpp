@@ -82,6 +82,7 @@ public:
         const auto own = own_cells(obstacle, measures.judged_with_ground);
         measures.map_cells = own.size();
         find(judged, own, measures);
+        count_erased(judged, measures);
         count_objects(own, measures);
         if (described.kind != ObstacleKind::ground) {
             name_company(obstacle, measures);
@@ -137,6 +138,15 @@ private:
         }
         measures.found = !measures.judged_with_ground &&
                          measures.found_cells.value().value_or(0.0) >= found_share;
+    }
+
+    void count_erased(const std::vector<CellIndex>& judged, ObstacleMeasures& measures) const {
+        for (const auto& cell : judged) {
+            if (std::ranges::binary_search(map_.ever_occupied, cell, {}, &OnceOccupiedCell::cell)) {
+                ++measures.erased_cells.of;
+                measures.erased_cells.count += map_.occupied.contains(cell) ? 0U : 1U;
+            }
+        }
     }
 
     void count_objects(const std::vector<std::uint32_t>& own, ObstacleMeasures& measures) const {

@@ -172,6 +172,23 @@ TEST(Obstacles, AreDetectedWithTheFirstCellThatStays) {
     EXPECT_EQ(named(marks, "right").detection->image, 0U);
 }
 
+TEST(Obstacles, AreErasedWhereTheyWereOccupiedOnce) {
+    const Truth truth = two_posts();
+    CellSet occupied = posts();
+    occupied.insert_all(floor_cells());
+    const auto marks_of = [&](const CellSet& at_the_end) {
+        JudgedMap map = map_of(truth, at_the_end, {}, 0);
+        map.ever_occupied = map_of(truth, occupied, {}, 0).ever_occupied;
+        return evaluate(map, truth);
+    };
+    EXPECT_EQ(named(marks_of(occupied), "left").erased_cells.count, 0U);
+    const Evaluation marks = marks_of(without(occupied, cells_of_box({6, -4, 0}, {6, -4, 0})));
+    EXPECT_EQ(named(marks, "left").erased_cells.count, 1U);
+    EXPECT_EQ(named(marks, "left").erased_cells.of, 2U);
+    EXPECT_EQ(named(marks, "right").erased_cells.count, 0U);
+    EXPECT_EQ(named(marks, "right").erased_cells.of, 2U);
+}
+
 ObstacleMeasures tree_at(double found_y_m, double x_m) {
     ObstacleMeasures tree;
     tree.kind = ObstacleKind::tree;
