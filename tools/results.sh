@@ -7,7 +7,7 @@ usage() {
 usage: tools/results.sh [--jobs N] BUILD DIR [TABLE...]
 Simulates the flights of docs/results.md with BUILD/zonegrid, maps them in every way that its tables
 compare, judges the maps, and writes each table to DIR/TABLE.md. What is in DIR already is not made again.
-Tables: cells faults fusion navigation screen octomap wires (needs BUILD/zonegrid-octomap for octomap).
+Tables: cells faults fusion navigation screen octomap (needs BUILD/zonegrid-octomap) wires scenes.
   --jobs N    how many maps at a time (default: 2)
 Images come at 10 Hz. All tables take about an hour on two cores.
 END
@@ -25,7 +25,7 @@ fi
 build="$1" out="$2"
 shift 2
 tables=("$@")
-[[ $# -gt 0 ]] || tables=(cells faults fusion navigation screen octomap wires)
+[[ $# -gt 0 ]] || tables=(cells faults fusion navigation screen octomap wires scenes)
 for tool in "$build/zonegrid" jq; do
     command -v "$tool" >/dev/null || {
         echo "results: $tool is missing; build zonegrid, and install jq" >&2
@@ -219,9 +219,21 @@ table_wires() {
     done
 }
 
+table_scenes() {
+    local scene faults
+    for scene in slalom field empty_field street_canyon tunnel wires forest second_vehicle; do
+        for faults in none all; do
+            local options=()
+            [[ $faults == none ]] || options=(--all-faults)
+            simulated "$scene-$faults" "$scene" "${options[@]}"
+            echo "scenes-$scene,$faults $scene-$faults zonegrid --cell 1.0 --model span"
+        done
+    done
+}
+
 for table in "${tables[@]}"; do
     case "$table" in
-        cells | faults | fusion | navigation | screen | octomap | wires) ;;
+        cells | faults | fusion | navigation | screen | octomap | wires | scenes) ;;
         *)
             echo "results: there is no table $table" >&2
             usage >&2
