@@ -16,7 +16,7 @@ END
 jobs=2
 if [[ "${1:-}" == --jobs ]]; then
     jobs="${2:-}"
-    shift 2
+    shift $(($# < 2 ? $# : 2))
 fi
 if [[ $# -lt 2 || ! "$jobs" =~ ^[1-9][0-9]*$ ]]; then
     usage >&2

@@ -77,20 +77,28 @@ std::string objects_of(const ObstacleMeasures& obstacle) {
     return text;
 }
 
-std::string obstacle_row(const ObstacleMeasures& obstacle) {
-    std::string name = obstacle.name;
-    if (name.size() > widest_name) {
-        name = name.substr(0, widest_name - 1) + "~";
+/// At most `widest_name` letters of UTF-8.
+std::string shortened(const std::string& name) {
+    std::size_t letters = 0;
+    std::size_t cut = 0; // where the last letter that fits begins
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        if ((static_cast<unsigned char>(name[i]) & 0xC0U) != 0x80U) { // a letter begins
+            cut = ++letters == widest_name ? i : cut;
+        }
     }
-    return fmt::format("  {:<22} {:<5} {:>8} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7}  {}\n", name,
-                       obstacle.judged_with_ground ? "?"
-                       : obstacle.found            ? "yes"
-                                                   : "NO",
-                       percent(obstacle.found_cells), or_dash(obstacle.horizontal_error_m, 2),
-                       or_dash(obstacle.vertical_error_m, 2), or_dash(obstacle.size_error_m, 2),
-                       distance_of(obstacle.first_sight), distance_of(obstacle.detection),
-                       seconds_between(obstacle.first_sight, obstacle.detection),
-                       objects_of(obstacle));
+    return letters > widest_name ? name.substr(0, cut) + "~" : name;
+}
+
+std::string obstacle_row(const ObstacleMeasures& obstacle) {
+    return fmt::format(
+        "  {:<22} {:<5} {:>8} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7}  {}\n", shortened(obstacle.name),
+        obstacle.judged_with_ground ? "?"
+        : obstacle.found            ? "yes"
+                                    : "NO",
+        percent(obstacle.found_cells), or_dash(obstacle.horizontal_error_m, 2),
+        or_dash(obstacle.vertical_error_m, 2), or_dash(obstacle.size_error_m, 2),
+        distance_of(obstacle.first_sight), distance_of(obstacle.detection),
+        seconds_between(obstacle.first_sight, obstacle.detection), objects_of(obstacle));
 }
 
 std::string obstacle_table(const Evaluation& evaluation) {

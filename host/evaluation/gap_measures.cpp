@@ -78,13 +78,6 @@ std::vector<double> places_between(double low, double high, double cell_m) {
     return places;
 }
 
-CellIndex cell_holding(const Eigen::Vector3d& place_m, double cell_m) {
-    const auto index = [&](double along) {
-        return static_cast<std::int32_t>(std::floor(along / cell_m));
-    };
-    return {index(place_m.x()), index(place_m.y()), index(place_m.z())};
-}
-
 /// What the map says of the gap between two neighbours: between their facing ends, as wide as the
 /// narrower one, over the upper half of the lower one.
 GapMeasures measure_gap(const JudgedMap& map, const Row& row, const Member& one,
@@ -103,7 +96,7 @@ GapMeasures measure_gap(const JudgedMap& map, const Row& row, const Member& one,
         bool clear = true;
         for (const double y : places_between(middle - wide, middle + wide, map.cell_m)) {
             for (const double z : places_between(low, high, map.cell_m)) {
-                const CellIndex cell = cell_holding(row.out_of({x, y, z}), map.cell_m);
+                const CellIndex cell = cell_at_m(row.out_of({x, y, z}), map.cell_m);
                 const bool occupied = map.occupied.contains(cell);
                 clear = clear && !occupied;
                 gap.occupied.count += occupied ? 1U : 0U;

@@ -23,8 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Time stamps may be late, but not by so much.
-constexpr double most_lateness_s = 1.0;
+constexpr double same_time_s = 1e-6;
 
 constexpr const char* remedy = "map the recording again or copy the folder again";
 
@@ -199,8 +198,10 @@ void require_same_recording(const JudgedMap& map, const Truth& truth, const std:
     }
     const double first_s = truth.images.front().time_s;
     const double last_s = truth.images.back().time_s;
-    if (std::abs(first_s - map.first_time_s) > most_lateness_s ||
-        std::abs(last_s - map.last_time_s) > most_lateness_s) {
+    const auto fits = [](double true_s, double stated_s) {
+        return stated_s >= true_s - same_time_s && stated_s <= true_s + most_lateness_s;
+    };
+    if (!fits(first_s, map.first_time_s) || !fits(last_s, map.last_time_s)) {
         fail(
             fmt::format("its images are from {:.3f} to {:.3f} s, those of the map's recording "
                         "from {:.3f} to {:.3f} s",

@@ -65,7 +65,7 @@ struct JudgedMap {
 [[nodiscard]] JudgedMap read_judged_map(const std::filesystem::path& folder);
 
 /// Throws InputError unless the map can be of the recording that the truth belongs to: as many
-/// images, and the same times but for a second.
+/// images, none stated before its true time nor later than time stamps may be.
 void require_same_recording(const JudgedMap& map, const Truth& truth, const std::string& truth_at);
 
 } // namespace zonegrid

@@ -1,6 +1,7 @@
 #include "io/plain_writer.h"
 
 #include "io/output_file.h"
+#include "io/readable_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -80,7 +81,7 @@ SensorMounting mounting_of(const Eigen::Isometry3d& body_from_camera) {
 void write_plain_description(const std::filesystem::path& file, const PlainSensor& sensor) {
     std::string text;
     for (const std::string& comment : sensor.comments) {
-        text += fmt::format("# {}\n", comment);
+        text += fmt::format("# {}\n", readable_text(comment));
     }
     text += sensor.camera ? camera_text(*sensor.camera, sensor.table) : std::string("[scanner]\n");
     if (sensor.coding) {

@@ -1,6 +1,7 @@
 #include "io/profile_picture_canvas.h"
 
 #include "io/profile_picture_layout.h"
+#include "io/readable_text.h"
 #include "zonegrid/errors.h"
 
 #include <fmt/format.h>
@@ -15,43 +16,6 @@ namespace zonegrid {
 namespace {
 
 constexpr const char* font_family = "DejaVu Sans";
-
-/// Length of the UTF-8 sequence at the start of `text`, 0 if there is none. Overlong forms and
-/// surrogates count as none, as cairo refuses them.
-std::size_t utf8_length(std::string_view text) {
-    const auto byte = [text](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
-    const std::uint8_t first = byte(0);
-    const std::size_t length = first < 0x80                    ? 1
-                               : first >= 0xC2 && first < 0xE0 ? 2
-                               : first >= 0xE0 && first < 0xF0 ? 3
-                               : first >= 0xF0 && first < 0xF5 ? 4
-                                                               : 0;
-    if (length == 0 || length > text.size()) {
-        return 0;
-    }
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(i) & 0xC0U) != 0x80U) {
-            return 0;
-        }
-    }
-    const bool overlong = (first == 0xE0 && byte(1) < 0xA0) || (first == 0xF0 && byte(1) < 0x90);
-    const bool no_character =
-        (first == 0xED && byte(1) >= 0xA0) || (first == 0xF4 && byte(1) >= 0x90);
-    return overlong || no_character ? 0 : length;
-}
-
-/// cairo puts the whole context out of order at the first string that is no UTF-8, and titles come
-/// from names of folders.
-std::string printable(std::string_view text) {
-    std::string result;
-    while (!text.empty()) {
-        const std::size_t length = utf8_length(text);
-        const bool control = length == 1 && static_cast<std::uint8_t>(text[0]) < 0x20;
-        result += length == 0 ? "?" : control ? " " : std::string(text.substr(0, length));
-        text.remove_prefix(std::max<std::size_t>(length, 1));
-    }
-    return result;
-}
 
 cairo_status_t append_to_stream(void* stream, const unsigned char* data, unsigned int length) {
     auto& out = *static_cast<std::ofstream*>(stream);
@@ -134,7 +98,7 @@ void Canvas::stroke_line(double x0_px, double y0_px, double x1_px, double y1_px,
 double Canvas::text_width_px(std::string_view text, const TextStyle& style) {
     choose_font(cairo(), style);
     cairo_text_extents_t extents{};
-    cairo_text_extents(cairo(), printable(text).c_str(), &extents);
+    cairo_text_extents(cairo(), readable_text(text).c_str(), &extents);
     return extents.x_advance;
 }
 
@@ -145,7 +109,7 @@ void Canvas::draw_text(double x_px, double y_px, std::string_view text, const Te
                                                         : width;
     set_colour(style.colour);
     cairo_move_to(cairo(), x_px - shift, y_px);
-    cairo_show_text(cairo(), printable(text).c_str());
+    cairo_show_text(cairo(), readable_text(text).c_str());
     cairo_new_path(cairo());
 }
 
@@ -160,7 +124,7 @@ void Canvas::draw_text_upwards(double x_px, double y_px, std::string_view text,
 
 std::string Canvas::fitting_text(std::string_view text, const TextStyle& style, double width_px) {
     // More characters than this fit into no picture.
-    std::string whole = printable(text.substr(0, 2000));
+    std::string whole = readable_text(text.substr(0, 2000));
     if (text_width_px(whole, style) <= width_px) {
         return whole;
     }

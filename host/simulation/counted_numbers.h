@@ -30,6 +30,14 @@ enum class Stream : std::uint64_t {
 /// pseudorandom number generators, 2014).
 class CountedNumbers {
 public:
+    /// Bits that have nothing to do with those of `bits` + 1.
+    [[nodiscard]] static std::uint64_t mix(std::uint64_t bits) {
+        bits += 0x9e3779b97f4a7c15U;
+        bits = (bits ^ (bits >> 30U)) * 0xbf58476d1ce4e5b9U;
+        bits = (bits ^ (bits >> 27U)) * 0x94d049bb133111ebU;
+        return bits ^ (bits >> 31U);
+    }
+
     /// `part` tells apart what one stream is used for, such as images.
     CountedNumbers(std::uint64_t seed, Stream stream, std::uint64_t part = 0)
         : key_(mix(mix(mix(seed) + static_cast<std::uint64_t>(stream)) + part)) {}
@@ -52,13 +60,6 @@ public:
     }
 
 private:
-    static std::uint64_t mix(std::uint64_t bits) {
-        bits += 0x9e3779b97f4a7c15U;
-        bits = (bits ^ (bits >> 30U)) * 0xbf58476d1ce4e5b9U;
-        bits = (bits ^ (bits >> 27U)) * 0x94d049bb133111ebU;
-        return bits ^ (bits >> 31U);
-    }
-
     std::uint64_t key_;
 };
 

@@ -1,6 +1,9 @@
 #include "simulation/motion.h"
 
 #include "simulation/timed_way.h"
+#include "zonegrid/errors.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -86,10 +89,17 @@ struct Tilt {
     double pitch_radps = 0.0;
 };
 
-Tilt tilt_of(const SplinePoint& point) {
+/// Throws UsageError where that would turn it upside down.
+Tilt tilt_of(const SplinePoint& point, double time_s) {
     // The body's down axis lies against the thrust, which balances gravity, drag and inertia.
     const Eigen::Vector3d down = Eigen::Vector3d(0.0, 0.0, gravity_mps2) - point.second.head<3>() -
                                  drag_per_s * point.first.head<3>();
+    if (!(down.z() > 0.0)) {
+        throw UsageError(
+            fmt::format("at {:.1f} s a vehicle would have to fly upside down: lower the "
+                        "acceleration, climb or speed of its limits",
+                        time_s));
+    }
     const Eigen::Vector3d down_change =
         -point.third.head<3>() - drag_per_s * point.second.head<3>();
     // Both as seen by a level body with the same yaw.
@@ -134,7 +144,7 @@ Motion::Motion(const Route& route, std::optional<double> duration_s)
 
 EulerSample Motion::at(double time_s) const {
     const SplinePoint point = curve_.at(time_s);
-    const Tilt tilt = tilt_of(point);
+    const Tilt tilt = tilt_of(point, time_s);
     EulerSample state;
     state.roll_pitch_yaw_rad = {tilt.roll_rad, tilt.pitch_rad, nearest_turn(point.value.w())};
     state.sample.time_s = time_s;

@@ -25,7 +25,8 @@ public:
     /// When the vehicle has come to rest at the end of the route, or of the laps asked for.
     [[nodiscard]] double end_s() const { return end_s_; }
 
-    /// The true state at `time_s`, 0 or more; after the end the vehicle hovers.
+    /// The true state at `time_s`, 0 or more; after the end the vehicle hovers. Throws UsageError
+    /// where the limits let it fall faster than its rotor can follow, which would turn it over.
     [[nodiscard]] EulerSample at(double time_s) const;
 
 private:

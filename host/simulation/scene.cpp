@@ -1,5 +1,6 @@
 #include "simulation/scene.h"
 
+#include "io/readable_text.h"
 #include "io/text_list.h"
 #include "simulation/scene_tables.h"
 #include "simulation/world.h"
@@ -54,7 +55,7 @@ Scene read_scene(const std::filesystem::path& file, std::uint64_t seed) {
     DescriptionTable root(parsed, file, "", "docs/simulation.md");
     const std::filesystem::path folder = file.parent_path();
     Scene scene;
-    scene.name = root.text("name").value_or(file.stem().string());
+    scene.name = readable_text(root.text("name").value_or(file.stem().string()));
     GroundPlan ground = read_ground(root, folder, seed);
     World world(std::move(ground.terrain));
     read_camera(root, scene);
@@ -68,7 +69,7 @@ Scene read_scene(const std::filesystem::path& file, std::uint64_t seed) {
     read_forests(root, seed, routes, world);
     root.require_all_read();
     if (ground.drawn) {
-        world.add_ground(waypoints_of(routes), ground.texture);
+        world.add_ground(waypoints_of(routes), ground.texture, ground.place);
     }
     if (world.things().empty()) {
         throw InputError(file.string(), "nothing is in the world",

@@ -12,6 +12,7 @@ constexpr double rad_per_deg = std::numbers::pi / 180.0;
 constexpr double half_width_rad = 25.5 * rad_per_deg;
 constexpr double half_height_rad = 20.0 * rad_per_deg;
 constexpr Span focal_limits{1.0, 1e5};
+constexpr Span middle_limits{-1e5, 1e5};
 constexpr Span angle_limits{-360.0, 360.0};
 
 } // namespace
@@ -27,8 +28,8 @@ void read_camera(DescriptionTable& root, Scene& scene) {
         read_number(table, "fx_px", focal_limits, 0.5 * camera.width_px / std::tan(half_width_rad));
     camera.fy_px = read_number(table, "fy_px", focal_limits,
                                0.5 * camera.height_px / std::tan(half_height_rad));
-    camera.cx_px = table.number("cx_px").value_or(0.5 * (camera.width_px - 1));
-    camera.cy_px = table.number("cy_px").value_or(0.5 * (camera.height_px - 1));
+    camera.cx_px = read_number(table, "cx_px", middle_limits, 0.5 * (camera.width_px - 1));
+    camera.cy_px = read_number(table, "cy_px", middle_limits, 0.5 * (camera.height_px - 1));
     camera.stereo = StereoNoise{read_number(table, "baseline_m", {0.001, 100.0}, 0.30),
                                 read_number(table, "disparity_sigma_px", {0.001, 100.0}, 0.25)};
     const double roll_deg = read_number(table, "roll_deg", angle_limits, 0.0);

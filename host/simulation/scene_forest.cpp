@@ -67,7 +67,7 @@ private:
 };
 
 Span read_side(DescriptionTable& table, std::string_view key) {
-    const std::optional<Span> side = read_span(table, key, {-1e5, 1e5});
+    const std::optional<Span> side = read_span(table, key, place_limits);
     if (!side) {
         table.refuse_absent(key);
     }

@@ -12,9 +12,10 @@ namespace {
 constexpr Span grid_limits{0.05, 1000.0};
 constexpr double flat_spacing_m = 20.0; // small enough that a place finds its own triangles
 constexpr double hill_spacing_m = 5.0;
+constexpr float highest_m = 10000.0F;
 
 Span read_extent(DescriptionTable& table, std::string_view key) {
-    const std::optional<Span> extent = read_span(table, key, {-1e5, 1e5});
+    const std::optional<Span> extent = read_span(table, key, place_limits);
     if (!extent) {
         table.refuse_absent(key);
     }
@@ -36,6 +37,10 @@ HeightGrid read_heights(DescriptionTable& table, const std::filesystem::path& fi
         if (!std::isfinite(height)) {
             throw InputError(file.string(), "a height is not finite", "give each node a height");
         }
+        if (std::abs(height) > highest_m) {
+            throw InputError(file.string(), fmt::format("a height is {} m", height),
+                             fmt::format("give heights in metres, -{0} to {0}", highest_m));
+        }
     }
     return {{north.low, east.low},
             {north.high, east.high},
@@ -54,13 +59,15 @@ GroundPlan read_ground(DescriptionTable& root, const std::filesystem::path& fold
         root.refuse("terrain", "comes beside [ground]",
                     "describe the ground once: [ground] is flat, [terrain] is not");
     }
-    GroundPlan plan{Terrain(flat_spacing_m), ground || terrain, 1.0};
+    GroundPlan plan{Terrain(flat_spacing_m), ground || terrain};
     if (ground) {
+        plan.place = ground->place();
         plan.texture = read_texture(*ground);
         plan.terrain = Terrain(read_number(*ground, "spacing_m", grid_limits, flat_spacing_m));
         ground->require_all_read();
     }
     if (terrain) {
+        plan.place = terrain->place();
         plan.texture = read_texture(*terrain);
         if (const std::optional<std::string> heights = terrain->text("heights")) {
             plan.terrain = Terrain(read_heights(*terrain, folder / *heights));

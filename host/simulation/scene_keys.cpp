@@ -48,8 +48,8 @@ int read_count(DescriptionTable& table, std::string_view key, int low, int high)
 }
 
 Eigen::Vector2d read_place(DescriptionTable& table) {
-    const double north_m = table.needed_number("north_m");
-    return {north_m, table.needed_number("east_m")};
+    const double north_m = read_number(table, "north_m", place_limits);
+    return {north_m, read_number(table, "east_m", place_limits)};
 }
 
 double read_angle_rad(DescriptionTable& table, std::string_view key) {

@@ -33,10 +33,13 @@ struct Span {
 [[nodiscard]] std::optional<Span> read_span(DescriptionTable& table, std::string_view key,
                                             const Span& limits);
 
+/// Places lie within these, in metres: farther out, the rays' single precision shows.
+inline constexpr Span place_limits{-1e5, 1e5};
+
 /// A needed whole number within the limits.
 [[nodiscard]] int read_count(DescriptionTable& table, std::string_view key, int low, int high);
 
-/// A needed list of exactly `size` finite numbers.
+/// A needed list of exactly `size` numbers within the limits of places.
 template <int size>
 [[nodiscard]] Eigen::Matrix<double, size, 1> read_point(DescriptionTable& table,
                                                         std::string_view key,
@@ -51,6 +54,11 @@ template <int size>
     }
     if (values->size() != size || !point.allFinite()) {
         table.refuse(key, "is no point", "give " + what);
+    }
+    if (point.minCoeff() < place_limits.low || point.maxCoeff() > place_limits.high) {
+        table.refuse(
+            key, "is too far away",
+            fmt::format("give numbers from {} to {}", place_limits.low, place_limits.high));
     }
     return point;
 }

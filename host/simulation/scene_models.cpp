@@ -38,6 +38,11 @@ void read_mesh(DescriptionTable& table, const std::filesystem::path& folder, Wor
     Shape mesh = read_mesh_file(folder / file, axes);
     for (Eigen::Vector3d& vertex : mesh.vertices_m) {
         vertex *= scale;
+        if (vertex.cwiseAbs().maxCoeff() > place_limits.high) {
+            table.refuse("scale", fmt::format("is {}, which puts a vertex too far out", scale),
+                         fmt::format("give one that keeps the mesh within {} m of its origin",
+                                     place_limits.high));
+        }
     }
     Thing thing{{}, ObstacleKind::other, {}, read_texture(table), false};
     thing.shape.append(mesh, world.on_ground(place_m, read_angle_rad(table, "yaw_deg"), height_m));

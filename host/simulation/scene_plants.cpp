@@ -42,6 +42,9 @@ void read_row(DescriptionTable& table, SeededNumbers numbers, World& world) {
                                std::pair{std::string_view("bush"), ObstacleKind::bush}});
     const auto start_m = read_point<2>(table, "start_m", "[north, east] in m");
     const auto end_m = read_point<2>(table, "end_m", "[north, east] in m");
+    if (start_m == end_m) {
+        table.refuse("end_m", "is start_m", "give the last plant a place of its own");
+    }
     const int number = read_count(table, "number", 2, 10000);
     const double texture = read_texture(table);
     const bool trees = kind == ObstacleKind::tree;

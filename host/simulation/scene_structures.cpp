@@ -91,7 +91,7 @@ void read_tunnel(DescriptionTable& table, World& world) {
     std::vector<Eigen::Vector3d> way_m;
     for (DescriptionTable& point : points) {
         const Eigen::Vector2d place_m = read_place(point);
-        way_m.emplace_back(place_m.x(), place_m.y(), -point.needed_number("height_m"));
+        way_m.emplace_back(place_m.x(), place_m.y(), -read_number(point, "height_m", {-1e4, 1e4}));
         if (way_m.size() > 1 && !((way_m.back() - way_m[way_m.size() - 2]).norm() > 0.1)) {
             point.refuse("north_m", "is less than 0.1 m from the point before", "remove one");
         }

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace zonegrid {
@@ -20,6 +21,7 @@ struct GroundPlan {
     Terrain terrain; ///< flat where there is no ground
     bool drawn = false;
     double texture = 1.0;
+    std::string place{}; ///< file and line of its table
 };
 
 /// [ground] or [terrain]; neither: the world has no ground.

@@ -19,6 +19,8 @@ namespace {
 /// Times in a list must differ.
 constexpr double least_gap_s = 1e-6;
 constexpr double between_way_points_s = 0.1;
+/// Of images or navigation: some gigabytes.
+constexpr double most_samples = 2e7;
 
 /// The flight's length: as asked, as the scene says, or to the end of the route.
 double duration_of(const Scene& scene, const SimulationOptions& options) {
@@ -31,6 +33,17 @@ double duration_of(const Scene& scene, const SimulationOptions& options) {
                         scene.name));
     }
     return wanted_s ? *wanted_s : Motion(scene.route).end_s();
+}
+
+/// Throws UsageError unless the times of so long a flight fit into memory.
+void require_measurable(const Scene& scene, double duration_s) {
+    const double most_hz = std::max(scene.image_rate_hz, scene.navigation_rate_hz);
+    if (most_hz * duration_s > most_samples) {
+        throw UsageError(
+            fmt::format("a flight of {:.0f} s at {:g} Hz has more than {:g} samples: give fewer "
+                        "seconds or lower rates",
+                        duration_s, most_hz, most_samples));
+    }
 }
 
 std::vector<EulerSample> true_navigation(const Motion& motion, const Scene& scene,
@@ -118,6 +131,7 @@ void record_navigation(const std::vector<EulerSample>& truth, const SimulationOp
 SimulatedFlight fly(const Scene& scene, const SimulationOptions& options) {
     SimulatedFlight flight;
     flight.duration_s = duration_of(scene, options);
+    require_measurable(scene, flight.duration_s);
     const Motion motion(scene.route, flight.duration_s);
     flight.way_m = way_of(motion, flight.duration_s);
     flight.taken = take_images(motion, scene, flight.duration_s, options);

@@ -1,5 +1,7 @@
 #include "simulation/terrain.h"
 
+#include "simulation/counted_numbers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -7,19 +9,11 @@
 namespace zonegrid {
 namespace {
 
-/// Bits that have nothing to do with their neighbours' (the finalizer of splitmix64, by S. Vigna).
-std::uint64_t scrambled(std::uint64_t bits) {
-    bits += 0x9E3779B97F4A7C15U;
-    bits = (bits ^ bits >> 30U) * 0xBF58476D1CE4E5B9U;
-    bits = (bits ^ bits >> 27U) * 0x94D049BB133111EBU;
-    return bits ^ bits >> 31U;
-}
-
 /// A number in -1 ... 1 that belongs to a node of the noise.
 double value_at(std::uint64_t seed, std::int64_t row, std::int64_t column) {
-    const std::uint64_t bits =
-        scrambled(scrambled(scrambled(seed) ^ static_cast<std::uint64_t>(row)) ^
-                  static_cast<std::uint64_t>(column));
+    const std::uint64_t bits = CountedNumbers::mix(
+        CountedNumbers::mix(CountedNumbers::mix(seed) ^ static_cast<std::uint64_t>(row)) ^
+        static_cast<std::uint64_t>(column));
     return static_cast<double>(bits >> 11U) * 0x1.0p-52 - 1.0;
 }
 
@@ -96,6 +90,11 @@ double Terrain::height_m(double north_m, double east_m) const {
     }
     const double corner = node_height_m(i, k + 1);
     return near + east * (corner - near) + north * (far - corner);
+}
+
+double Terrain::nodes_over(const Eigen::Vector2d& least_m, const Eigen::Vector2d& most_m) const {
+    return grid_ ? static_cast<double>(grid_->rows) * static_cast<double>(grid_->columns)
+                 : (most_m - least_m).cwiseQuotient(spacing_m_).prod();
 }
 
 Shape Terrain::ground_shape(const Eigen::Vector2d& least_m, const Eigen::Vector2d& most_m) const {

@@ -46,6 +46,10 @@ public:
     [[nodiscard]] Shape ground_shape(const Eigen::Vector2d& least_m,
                                      const Eigen::Vector2d& most_m) const;
 
+    /// About how many nodes `ground_shape` draws.
+    [[nodiscard]] double nodes_over(const Eigen::Vector2d& least_m,
+                                    const Eigen::Vector2d& most_m) const;
+
 private:
     [[nodiscard]] double node_height_m(long row, long column) const;
 

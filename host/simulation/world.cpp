@@ -1,5 +1,8 @@
 #include "simulation/world.h"
 
+#include "io/readable_text.h"
+#include "zonegrid/errors.h"
+
 #include <fmt/format.h>
 
 #include <utility>
@@ -8,6 +11,8 @@ namespace zonegrid {
 namespace {
 
 constexpr double ground_margin_m = 150.0;
+/// With two triangles each, some gigabytes to cast rays at.
+constexpr double most_ground_nodes = 2e7;
 
 } // namespace
 
@@ -19,15 +24,16 @@ void World::add_numbered(const std::string& base, Thing thing) {
 }
 
 void World::add_named(DescriptionTable& table, const std::string& base, Thing thing) {
-    const std::optional<std::string> name = table.text("name");
-    if (!name) {
+    const std::optional<std::string> given = table.text("name");
+    if (!given) {
         add_numbered(base, std::move(thing));
         return;
     }
-    if (name->empty() || !names_.insert(*name).second) {
-        table.refuse("name", fmt::format("is '{}'", *name), "give a name that nothing else has");
+    thing.name = readable_text(*given);
+    if (thing.name.empty() || !names_.insert(thing.name).second) {
+        table.refuse("name", fmt::format("is '{}'", thing.name),
+                     "give a name that nothing else has");
     }
-    thing.name = *name;
     things_.push_back(std::move(thing));
 }
 
@@ -40,7 +46,8 @@ Eigen::Isometry3d World::on_ground(const Eigen::Vector2d& place_m, double yaw_ra
     return placed;
 }
 
-void World::add_ground(const std::vector<Eigen::Vector3d>& points_m, double texture) {
+void World::add_ground(const std::vector<Eigen::Vector3d>& points_m, double texture,
+                       const std::string& place) {
     Eigen::AlignedBox2d area;
     for (const Eigen::Vector3d& point : points_m) {
         area.extend(Eigen::Vector2d(point.head<2>()));
@@ -53,8 +60,15 @@ void World::add_ground(const std::vector<Eigen::Vector3d>& points_m, double text
         }
     }
     const Eigen::Vector2d margin_m(ground_margin_m, ground_margin_m);
-    Thing ground{"ground", ObstacleKind::ground,
-                 terrain_.ground_shape(area.min() - margin_m, area.max() + margin_m), texture,
+    const Eigen::Vector2d least_m = area.min() - margin_m;
+    const Eigen::Vector2d most_m = area.max() + margin_m;
+    if (const double nodes = terrain_.nodes_over(least_m, most_m); nodes > most_ground_nodes) {
+        throw InputError(place, fmt::format("the ground takes {:.0f} nodes", nodes),
+                         fmt::format("give a larger spacing_m, or bring things and waypoints "
+                                     "closer together, so that {:.0f} suffice",
+                                     most_ground_nodes));
+    }
+    Thing ground{"ground", ObstacleKind::ground, terrain_.ground_shape(least_m, most_m), texture,
                  false};
     things_.insert(things_.begin(), std::move(ground));
 }

@@ -42,7 +42,9 @@ public:
     [[nodiscard]] const std::vector<Thing>& things() const { return things_; }
 
     /// Draws the ground under all things and the given points, with a margin, as the first thing.
-    void add_ground(const std::vector<Eigen::Vector3d>& points_m, double texture);
+    /// Throws InputError at `place`, that of its table, if that takes too many triangles.
+    void add_ground(const std::vector<Eigen::Vector3d>& points_m, double texture,
+                    const std::string& place);
 
     /// Puts the triangles and textures of all things together.
     void move_into(Scene& scene);

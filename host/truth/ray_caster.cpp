@@ -41,6 +41,25 @@ double meet(const Line& line, const Plane& plane, double embree) {
     return std::abs(exact - embree) <= doubt ? exact : embree;
 }
 
+/// Embree ends the program at rays that single precision cannot hold.
+void require_castable(const Line& line) {
+    constexpr double most = 1e15; // its own limit is 2e18
+    if (!(line.start_m.cwiseAbs().maxCoeff() < most && line.step.cwiseAbs().maxCoeff() < most)) {
+        throw UsageError(
+            "a ray begins too far away or its direction is too long: give places and "
+            "slopes that single precision can hold");
+    }
+}
+
+/// Where the ray of a pixel begins and a step that is a metre along the optical axis.
+Line line_of(const Camera& camera, const Eigen::Isometry3d& world_from_camera, std::size_t u,
+             std::size_t v) {
+    return {world_from_camera.translation(),
+            world_from_camera.linear() *
+                Eigen::Vector3d((static_cast<double>(u) - camera.cx_px) / camera.fx_px,
+                                (static_cast<double>(v) - camera.cy_px) / camera.fy_px, 1.0)};
+}
+
 } // namespace
 
 /// What the rays are cast at.
@@ -152,6 +171,7 @@ void RayCaster::move_to(double time_s) {
 
 std::optional<SurfaceHit> RayCaster::cast(const Eigen::Vector3d& start_m,
                                           const Eigen::Vector3d& direction) const {
+    require_castable({start_m, direction});
     const auto found =
         implementation_->scene().cast(start_m.cast<float>(), direction.cast<float>());
     if (!found) {
@@ -168,16 +188,18 @@ void RayCaster::draw(const Camera& camera, const Eigen::Isometry3d& world_from_c
         (!obstacles.empty() && obstacles.size() != depth_m.size())) {
         throw UsageError("the image does not have the camera's size");
     }
+    for (const std::size_t u : {std::size_t{0}, width - 1}) { // slopes are greatest in a corner
+        for (const std::size_t v : {std::size_t{0}, height - 1}) {
+            require_castable(line_of(camera, world_from_camera, u, v));
+        }
+    }
     const Eigen::Vector3d start_m = world_from_camera.translation();
     const auto draw_row = [&](std::size_t v) {
-        // Each step is a metre along the optical axis, so that distances are depths.
         std::vector<Eigen::Vector3d> steps(width);
         std::vector<Eigen::Vector3f> directions(width);
         std::vector<TriangleHit> found(width);
         for (std::size_t u = 0; u < width; ++u) {
-            steps[u] = world_from_camera.linear() *
-                       Eigen::Vector3d((static_cast<double>(u) - camera.cx_px) / camera.fx_px,
-                                       (static_cast<double>(v) - camera.cy_px) / camera.fy_px, 1.0);
+            steps[u] = line_of(camera, world_from_camera, u, v).step; // distances are depths
             directions[u] = steps[u].cast<float>();
         }
         implementation_->scene().cast_row(start_m.cast<float>(), directions, found);

@@ -12,6 +12,9 @@
 
 namespace zonegrid {
 
+/// A recording's time stamps may be later than the true times, by at most this.
+inline constexpr double most_lateness_s = 10.0;
+
 /// Where the camera really was when an image was exposed; one a line of the recording's frames.csv,
 /// in its order. `time_s` is the true time: the recording's may be late.
 struct TrueImage {

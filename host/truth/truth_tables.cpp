@@ -19,7 +19,8 @@ namespace {
 
 using Triple = std::array<std::size_t, 3>;
 
-constexpr double rounding = 1e-6; // what long chains of turns may leave
+constexpr double rounding = 1e-6;  // what long chains of turns may leave
+constexpr double farthest_m = 1e6; // no scene's; rays from there would end anywhere
 constexpr std::string_view remedy = "simulate the scene again";
 
 // A frame's pose as its origin and its axes: a quaternion would not give back the same bits.
@@ -62,6 +63,10 @@ struct PoseColumns {
 Eigen::Isometry3d read_pose(const CsvTable& table, std::size_t row, const PoseColumns& columns) {
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     pose.translation() = table.vector(row, columns.origin);
+    if (pose.translation().cwiseAbs().maxCoeff() > farthest_m) {
+        throw InputError(table.place(row), fmt::format("the place is beyond {:g} m", farthest_m),
+                         std::string(remedy));
+    }
     for (int axis = 0; axis < 3; ++axis) {
         pose.linear().col(axis) =
             table.vector(row, columns.axes.at(static_cast<std::size_t>(axis)));

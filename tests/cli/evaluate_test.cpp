@@ -175,6 +175,21 @@ TEST_F(EvaluateTest, RefusesTheTruthOfAnotherRecording) {
               0);
     EXPECT_THAT(run("zonegrid evaluate map --truth recording/truth").errors,
                 one_line_with("recording/truth", "from 100.000", "300.000"));
+    EXPECT_EQ(run("sed -i 's/\"first_frame_s\": 300.0/\"first_frame_s\": 99.9/' map/report.json")
+                  .exit_code,
+              0); // stamps may be late, never early
+    EXPECT_THAT(run("zonegrid evaluate map --truth recording/truth").errors,
+                one_line_with("recording/truth", "from 100.000", "99.900"));
+}
+
+TEST_F(EvaluateTest, TakesMapsWhoseTimeStampsAreLate) {
+    ASSERT_EQ(run(std::string(map_line) + "--history").exit_code, 0);
+    ASSERT_EQ(run("sed -i -e 's/\"first_frame_s\": 100.0/\"first_frame_s\": 109.5/' "
+                  "-e 's/\"last_frame_s\": 101.4/\"last_frame_s\": 110.9/' map/report.json && "
+                  "grep -q 109.5 map/report.json && grep -q 110.9 map/report.json")
+                  .exit_code,
+              0);
+    EXPECT_EQ(run("zonegrid evaluate map --truth recording/truth --quiet").errors, "");
 }
 
 TEST_F(EvaluateTest, RefusesFilesThatDoNotBelongTogether) {

@@ -162,6 +162,15 @@ TEST_F(SimulateTest, LeavesNothingWhenInterruptedOrOutOfSpace) {
     EXPECT_THAT(names(), ElementsAre("wall.toml"));
 }
 
+TEST_F(SimulateTest, TakesNamesOfAnyBytes) {
+    ASSERT_EQ(run("cp wall.toml $'w\\xe9 \\n.toml'").exit_code, 0);
+    EXPECT_EQ(run("zonegrid simulate $'w\\xe9 \\n.toml' -o $'f\\xe9' --quiet").errors, "");
+    EXPECT_EQ(run("zonegrid map $'f\\xe9' -o $'m\\xe9' --cell 1 --quiet").errors, "");
+    EXPECT_EQ(run("zonegrid evaluate $'m\\xe9' --truth $'f\\xe9/truth' -o judged --quiet").errors,
+              "");
+    EXPECT_EQ(run("zonegrid inspect $'f\\xe9' --json").exit_code, 0);
+}
+
 TEST_F(SimulateTest, IsQuietWhenTold) {
     const CommandResult result = run("zonegrid simulate wall.toml -o flight --quiet");
     EXPECT_EQ(result.exit_code, 0);

@@ -26,7 +26,7 @@ TEST(PlainWriter, GivesMountingsThatAreReadAsTheyAre) {
         sensor.camera = camera;
         sensor.mounting = mounting_of(camera.body_from_camera);
         sensor.coding = DepthCoding{512.0, DepthKind::ray, {0.0F, 3.0F}, {65535.0F}};
-        sensor.comments = {"made by a test", "of two lines"};
+        sensor.comments = {"made by a test", "of two\nlines"}; // which would not be TOML
         write_plain_description(folder.path() / "description.toml", sensor);
         const PlainDescription read = read_plain_description(folder.path() / "description.toml");
         EXPECT_LT((read.camera->body_from_camera.linear() - camera.body_from_camera.linear())

@@ -198,6 +198,21 @@ TEST(Motion, RefusesWhatCannotBeFlown) {
     EXPECT_THAT([&] { const Motion motion(route); }, ThrowsMessage<UsageError>(HasSubstr("limit")));
 }
 
+TEST(Motion, RefusesToFlyUpsideDown) {
+    Route route;
+    route.waypoints.resize(2);
+    route.waypoints[1].position_m = {1.0, 0.0, 1000.0};
+    route.waypoints[1].speed_mps = 200.0;
+    route.limits.speed_mps = route.limits.climb_mps = 200.0;
+    // Half of it along the way: 9.8 - 7.5 m/s^2 are left for a drag of 0.08 m/s^2 for each m/s,
+    // which suffices up to 29 m/s, for 3.8 s.
+    route.limits.acceleration_mps2 = 15.0;
+    const Motion motion(route);
+    EXPECT_NO_THROW(static_cast<void>(motion.at(3.0)));
+    EXPECT_THAT([&] { static_cast<void>(motion.at(8.0)); },
+                ThrowsMessage<UsageError>(HasSubstr("upside down: lower the acceleration")));
+}
+
 TEST(Motion, TakesSecondVehiclesAlong) {
     SecondVehicle vehicle;
     vehicle.obstacle = 3;

@@ -113,11 +113,29 @@ TEST(SceneErrors, NameFileLineAndKeyAndWhatIsAllowed) {
         {"[camera]\nfx_px = -1\n", ":10", "camera.fx_px is -1"},
         {"[camera]\nposition_m = [1]\n", ":10", "camera.position_m is no point"},
         {"[camera]\nmodel = \"pinhole\"\n", ":10", "camera.model is unknown"},
+        // What Embree or memory cannot hold.
+        {"[[tree]]\nnorth_m = 1e300\neast_m = 0\n", ":10",
+         "tree.north_m is 1e+300; give a number from -100000 to 100000"},
+        {"[[row]]\nstart_m = [0, 0]\nend_m = [0, 2e5]\nnumber = 2\n", ":11",
+         "row.end_m is too far away"},
+        {"[[row]]\nstart_m = [3, 4]\nend_m = [3, 4]\nnumber = 2\n", ":11", "row.end_m is start_m"},
+        {"[tunnel]\ndiameter_m = 5\n[[tunnel.point]]\n" + place +
+             "height_m = 1e30\n[[tunnel.point]]\n" + place + "height_m = 0\n",
+         ":14", "tunnel.point.height_m is 1e+30"},
+        {"[terrain]\nheights = \"high.npy\"\nnorth_m = [0, 1]\neast_m = [0, 1]\n", "high.npy",
+         "a height is 1e+38 m"},
+        {"[[mesh]]\nfile = \"large.obj\"\nscale = 1e6\n" + place, ":11",
+         "mesh.scale is 1000000, which puts a vertex too far out"},
+        {"[camera]\ncx_px = 1e308\n", ":10", "camera.cx_px is 1e+308"},
+        {"[camera]\nposition_m = [0, 0, 1e30]\n", ":10", "camera.position_m is too far away"},
+        {"[ground]\nspacing_m = 0.05\n", ":9", "the ground takes 42000000 nodes; give a larger"},
     };
     const TemporaryFolder folder;
     write_npy(folder.path() / "line.npy", {{4}, {1, 2, 3, 4}});
     write_npy(folder.path() / "hole.npy",
               {{2, 2}, {1, 2, 3, std::numeric_limits<float>::infinity()}});
+    write_npy(folder.path() / "high.npy", {{2, 2}, {1, 2, 3, 1e38F}});
+    std::ofstream(folder.path() / "large.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     std::ofstream(folder.path() / "points.ply")
         << "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
            "property float z\nend_header\n1 2 3\n";
@@ -155,6 +173,18 @@ TEST(SceneErrors, NameWhatIsWrongWithTheFlight) {
         EXPECT_THAT(message, ::testing::HasSubstr(bad.message)) << bad.text;
     }
     EXPECT_THAT(refusal(folder.path() / "absent.toml"), ::testing::HasSubstr("no such file"));
+}
+
+TEST(SceneNames, AreOneLineOfUtf8) {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "caf\xe9.toml";
+    const std::string bush = "[[bush]]\n" + place + "name = \"a\\tb\"\n";
+    std::ofstream(file) << flight << bush;
+    const Scene scene = read_scene(file, 1);
+    EXPECT_EQ(scene.name, "caf?");
+    EXPECT_EQ(scene.surfaces.obstacles[0].name, "a b");
+    std::ofstream(file) << "name = \"two\\nlines\"\n" << flight << bush;
+    EXPECT_EQ(read_scene(file, 1).name, "two lines");
 }
 
 } // namespace

@@ -250,6 +250,16 @@ TEST(Simulation, DelaysAndLosesImages) {
                 waiting.image_times_s.end());
 }
 
+TEST(Simulation, RefusesFlightsThatMemoryCannotHold) {
+    Scene scene = wall_scene();
+    scene.image_rate_hz = 1000.0;
+    SimulationOptions options;
+    options.duration_s = 86400.0;
+    EXPECT_THAT([&] { static_cast<void>(fly(scene, options)); },
+                ::testing::ThrowsMessage<UsageError>(
+                    ::testing::HasSubstr("86400 s at 1000 Hz has more than 2e+07 samples")));
+}
+
 /// The wall, and before it a plate that rises from a standstill to the east.
 Scene vehicle_scene() {
     Scene scene = wall_scene();

@@ -245,6 +245,19 @@ TEST(RayCaster, RefusesMotionsThatDoNotFit) {
                 ThrowsMessage<UsageError>(HasSubstr("obstacle 0, which does not move")));
 }
 
+TEST(RayCaster, RefusesRaysThatSinglePrecisionCannotHold) {
+    World world;
+    world.add("wall", square(30.0F, 5.0F));
+    const RayCaster caster(world.surfaces);
+    EXPECT_THROW(static_cast<void>(caster.cast({0.0, 1e300, 0.0}, {1.0, 0.0, 0.0})), UsageError);
+    std::vector<float> depth_m(61 * 43);
+    EXPECT_THROW(caster.draw(small_camera(), looking_north({0.0, 0.0, -1e30}), depth_m),
+                 UsageError);
+    Camera aside = small_camera();
+    aside.cx_px = 1e308;
+    EXPECT_THROW(caster.draw(aside, looking_north(Eigen::Vector3d::Zero()), depth_m), UsageError);
+}
+
 TEST(RayCaster, SeesSkyWhereThereIsNoSurface) {
     const Surfaces nothing;
     const RayCaster caster(nothing);

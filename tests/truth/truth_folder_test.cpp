@@ -269,6 +269,7 @@ TEST(TruthFolder, IsRefusedIfItsFilesContradictEachOtherOrThemselves) {
         {"motions.csv", "\n1,0.333", "\n0,0.333", "motions.csv:3: obstacle 0 is none that moves"},
         {"motions.csv", "\n1,0.333", "\n2,0.333", "motions.csv:3: obstacle 2 is none that moves"},
         {"motions.csv", "0.1,0,0,0,1,", "0.1,0,0,0,2,", "motions.csv:2: the axes"},
+        {"motions.csv", "0.1,0,0,0,1,", "0.1,0,0,1e7,1,", "motions.csv:2: the place is beyond"},
         {"motions.csv", "\n1,0.333", "\n1,0.033", "motions.csv:3: time"},
     };
     for (const Damage& damage : damages) {

@@ -1,5 +1,7 @@
+#include "interruption.h"
 #include "io/cells_file.h"
 #include "io/history_file.h"
+#include "io/json_text.h"
 #include "io/map_folder.h"
 #include "io/new_folder.h"
 #include "io/object_listing.h"
@@ -16,6 +18,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <string>
 
@@ -70,15 +73,17 @@ void write_folder(const Recording& recording, const Arguments& arguments,
         digest.add(object_line(object));
     }
     OutputFile output(folder / report_name);
-    output.write(report_of(recording, arguments, flight, digest.finish_hex()).dump(2) + "\n");
+    output.write(json_text(report_of(recording, arguments, flight, digest.finish_hex())));
     output.close();
 }
 
 void run(const Arguments& arguments) {
     const auto recording = open_recording(arguments.recording, {});
+    const InterruptionGuard interruption;
     NewFolder folder(arguments.output, {});
     const bool show = isatty(STDERR_FILENO) != 0;
     const auto flight = fly_octomap(*recording, arguments.options, [&](std::size_t images) {
+        interruption.check();
         if (show) {
             std::fputs(fmt::format("\r{} of {} images", images, recording->frames().size()).c_str(),
                        stderr);
@@ -88,6 +93,7 @@ void run(const Arguments& arguments) {
         std::fputs("\n", stderr);
     }
     write_folder(*recording, arguments, flight, folder.path());
+    interruption.check();
     folder.put_in_place();
     fmt::print("{} images, {} skipped, median {:.1f} ms in insertPointCloud, {} objects\n",
                flight.integrated, flight.skipped, flight.insert_ms, flight.objects.size());
@@ -124,6 +130,11 @@ int run_command(int count, char** arguments_of_command) {
     } catch (const UsageError& error) {
         std::fputs(fmt::format("zonegrid-octomap: {}\n", error.what()).c_str(), stderr);
         return 2;
+    } catch (const Interrupted& interrupted) {
+        std::fputs("zonegrid-octomap: interrupted; nothing was written\n", stderr);
+        std::signal(interrupted.signal, SIG_DFL);
+        std::raise(interrupted.signal); // whoever started this sees how it ended
+        return 1;
     } catch (const std::exception& error) {
         std::fputs(fmt::format("zonegrid-octomap: {}\n", error.what()).c_str(), stderr);
         return 1;

@@ -3,6 +3,7 @@
 #include "evaluation/evaluation_pictures.h"
 #include "evaluation/evaluation_text.h"
 #include "interruption.h"
+#include "io/json_text.h"
 #include "io/new_folder.h"
 #include "io/output_file.h"
 #include "progress.h"
@@ -101,7 +102,7 @@ void run_evaluate(const EvaluateCommand& command) {
                                                           : std::span<const std::string_view>());
     }
     const Evaluation evaluation = evaluate_with_progress(command, interruption);
-    const std::string json = json_of(evaluation).dump(2) + "\n";
+    const std::string json = json_text(json_of(evaluation));
     if (folder) {
         write_folder(evaluation, json, *folder);
         interruption.check();

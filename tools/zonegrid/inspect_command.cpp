@@ -1,5 +1,6 @@
 #include "command.h"
 #include "inspection_report.h"
+#include "io/json_text.h"
 #include "map_settings.h"
 #include "standard_output.h"
 
@@ -49,7 +50,7 @@ void inspect(const InspectSettings& settings) {
     const RecordingInspection inspection = inspect_recording(
         *recording, settings.max_gap_s,
         settings.all ? std::numeric_limits<std::size_t>::max() : frames_looked_at);
-    write_standard_output(settings.json ? inspection_report(*recording, inspection).dump(2) + "\n"
+    write_standard_output(settings.json ? json_text(inspection_report(*recording, inspection))
                                         : inspection_text(*recording, inspection));
 }
 

@@ -67,7 +67,8 @@ int run_and_explain(CLI::App& app, int argc, const char* const* argv) {
     } catch (const zonegrid::CheckFailed& error) {
         return complain(error.what(), check_failed);
     } catch (const std::bad_alloc&) {
-        return complain("memory is exhausted; use larger cells or a smaller range", failure);
+        return complain("memory is exhausted; use larger cells, a smaller range or a smaller scene",
+                        failure);
     } catch (const std::exception& error) {
         return complain(error.what(), failure);
     }

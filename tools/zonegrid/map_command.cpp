@@ -1,6 +1,7 @@
 #include "command.h"
 #include "interruption.h"
 #include "io/history_file.h"
+#include "io/json_text.h"
 #include "io/new_folder.h"
 #include "io/output_file.h"
 #include "map_run.h"
@@ -124,7 +125,7 @@ void map(const MapSettings& settings) {
     run.warnings = find_map_warnings(run.replay, run.statistics, options);
     run.memory_most_bytes = memory_most_bytes();
     run.total_s = stopwatch.lap_s();
-    const std::string report = report_of(run).dump(2) + "\n";
+    const std::string report = json_text(report_of(run));
     write_report(folder.path() / report_name, report);
     interruption.check();
     folder.put_in_place();

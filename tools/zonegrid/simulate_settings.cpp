@@ -1,6 +1,7 @@
 #include "simulate_settings.h"
 
 #include "io/depth_png.h"
+#include "truth/truth_folder.h"
 
 #include <algorithm>
 #include <charconv>
@@ -129,7 +130,8 @@ void add_navigation_settings(SettingTable& table, SimulateSettings& settings) {
     table.add(bind_setting("late-images", "SHARE", "share of images whose time stamp is late",
                            settings.transfer.late_images, share()));
     table.add(bind_setting("late-by", "MS", "most that a time stamp is late, milliseconds",
-                           settings.late_by_ms, from_to(0.0, 10000.0, "0 to 10000 ms")));
+                           settings.late_by_ms,
+                           from_to(0.0, ms_per_s * most_lateness_s, "0 to 10000 ms")));
     table.add(bind_setting("lost-images", "SHARE", "share of images that are lost",
                            settings.transfer.lost_images, share()));
     table.add(bind_setting("lost-navigation", "SHARE", "share of navigation samples that are lost",
