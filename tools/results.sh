@@ -142,18 +142,16 @@ table_cells() {
 }
 
 table_faults() {
-    local number=0 fault cell
+    local number=0 fault name
     local faults=("" "--stereo-noise 0.25" "--quantise 0.0625" "--missing 1" "--bleeding 2"
         "--outliers 0.0005" "--missing-sky" "--vibration 0.1" "--navigation-errors 1" "--late-images 0.2"
         "--lost-navigation 0.2" "--all-faults")
     for fault in "${faults[@]}"; do
         # shellcheck disable=SC2086
         simulated "fault-$number" slalom $fault
-        for cell in 1.0 0.25; do
-            local name="${fault:-none}"
-            name="${name//--/}"
-            echo "faults-$cell,${name// /_} fault-$number zonegrid --cell $cell --model span"
-        done
+        name="${fault:-none}"
+        name="${name//--/}"
+        echo "faults-${name// /_} fault-$number zonegrid --cell 1.0 --model span"
         number=$((number + 1))
     done
 }
@@ -195,7 +193,7 @@ table_octomap() {
     local cell faults
     simulated slalom-none slalom
     simulated slalom-all slalom --all-faults
-    for cell in 1.0 0.5 0.25; do
+    for cell in 1.0 0.5; do
         for faults in none all; do
             for model in line span; do
                 echo "octomap-$cell,$faults,$model slalom-$faults zonegrid --cell $cell --model $model"
@@ -210,10 +208,9 @@ table_wires() {
     local cell faults
     simulated wires-none wires
     simulated wires-sensor wires "${realistic[@]}"
-    for cell in 1.0 0.5 0.25 0.1; do
+    for cell in 1.0 0.5 0.25; do
         for faults in none sensor; do
             for model in line span; do
-                [[ $cell == 0.1 && $model == line ]] && continue # minutes each
                 echo "wires-$cell,$faults,$model wires-$faults zonegrid --cell $cell --model $model"
             done
         done

@@ -119,7 +119,8 @@ std::string clipping_note(const HeightRange& range) {
     if (!range.some_below && !range.some_above) {
         return {};
     }
-    const double step = round_step(range.high_m - range.low_m, 100);
+    const double extent_m = range.high_m - range.low_m;
+    const double step = round_step(extent_m > 0.0 ? extent_m : 1.0, 100); // level ground has none
     return fmt::format("heights outside {}..{} m clipped", number_text(range.low_m, step),
                        number_text(range.high_m, step));
 }

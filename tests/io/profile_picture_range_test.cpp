@@ -39,6 +39,19 @@ TEST(ProfilePictureRange, IsNotSpoiltByAFewWildHeights) {
     EXPECT_THAT(clipping_note(after.drawn), HasSubstr("clipped"));
 }
 
+TEST(ProfilePictureRange, NamesTheOneHeightOfLevelGroundWithAHole) {
+    HeightProfile profile{1.0, {}};
+    for (int x = 0; x < 100; ++x) {
+        for (int y = 0; y < 10; ++y) {
+            profile.columns.push_back({x, y, -1});
+        }
+    }
+    profile.columns[500].z = 0;
+    const HeightRanges ranges = height_ranges(profile, ground_plan(profile, {}));
+    EXPECT_DOUBLE_EQ(ranges.drawn.low_m, ranges.drawn.high_m);
+    EXPECT_EQ(clipping_note(ranges.drawn), "heights outside 1.00..1.00 m clipped");
+}
+
 TEST(ProfilePictureRange, KeepsAMastOnAFlatField) {
     HeightProfile profile{0.5, {}};
     for (int x = 0; x < 100; ++x) {
