@@ -1,11 +1,11 @@
 #include "evaluation/gap_measures.h"
 
-#include <Eigen/Eigenvalues>
+#include "evaluation/best_line.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace zonegrid {
 namespace {
@@ -16,20 +16,19 @@ struct Member {
     Eigen::AlignedBox3d box; ///< along, across, height above the world's origin; metres
 };
 
-/// The frame of a row: `origin` and the unit vector along it, seen from above.
+/// The frame of a row: along its line, across it, and up.
 struct Row {
-    Eigen::Vector2d origin = Eigen::Vector2d::Zero();
-    Eigen::Vector2d along = Eigen::Vector2d::UnitX();
+    BestLine line;
 
     [[nodiscard]] Eigen::Vector3d into(const Eigen::Vector3d& place_m) const {
-        const Eigen::Vector2d offset = place_m.head<2>() - origin;
-        return {offset.dot(along), offset.dot(across()), -place_m.z()};
+        const Eigen::Vector2d offset = place_m.head<2>() - line.origin;
+        return {offset.dot(line.along), offset.dot(line.across()), -place_m.z()};
     }
     [[nodiscard]] Eigen::Vector3d out_of(const Eigen::Vector3d& place) const {
-        const Eigen::Vector2d flat = origin + place.x() * along + place.y() * across();
+        const Eigen::Vector2d flat =
+            line.origin + place.x() * line.along + place.y() * line.across();
         return {flat.x(), flat.y(), -place.z()};
     }
-    [[nodiscard]] Eigen::Vector2d across() const { return {-along.y(), along.x()}; }
 };
 
 Eigen::Vector2d middle_of(const Surfaces& surfaces, const TrueObstacle& obstacle) {
@@ -40,22 +39,6 @@ Eigen::Vector2d middle_of(const Surfaces& surfaces, const TrueObstacle& obstacle
         }
     }
     return box.center();
-}
-
-/// The line through points that fits them best, from the first to the last.
-Row row_of(std::span<const Eigen::Vector2d> points) {
-    Row row;
-    row.origin = std::accumulate(points.begin(), points.end(), Eigen::Vector2d(0.0, 0.0)) /
-                 static_cast<double>(points.size());
-    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
-    for (const auto& point : points) {
-        spread += (point - row.origin) * (point - row.origin).transpose();
-    }
-    row.along = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvectors().col(1);
-    if (row.along.dot(points.back() - points.front()) < 0.0) {
-        row.along = -row.along;
-    }
-    return row;
 }
 
 Eigen::AlignedBox3d box_in(const Row& row, const Surfaces& surfaces, const TrueObstacle& obstacle) {
@@ -128,11 +111,8 @@ void measure_gaps(const JudgedMap& map, const Truth& truth,
                 middles.push_back(middle_of(truth.surfaces, *known));
             }
         }
-        const Row row = row_of(middles);
-        const bool in_row = std::ranges::all_of(middles, [&](const Eigen::Vector2d& middle) {
-            return std::abs((middle - row.origin).dot(row.across())) <= row_error_m;
-        });
-        if (!in_row) {
+        const Row row{fit_line(middles)};
+        if (row.line.greatest_distance(middles) > row_error_m) {
             continue;
         }
         std::vector<Member> members;

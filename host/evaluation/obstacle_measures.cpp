@@ -1,8 +1,8 @@
 #include "evaluation/obstacle_measures.h"
 
+#include "evaluation/best_line.h"
 #include "evaluation/map_owners.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -232,24 +232,8 @@ private:
     std::set<std::uint32_t> with_ground_; ///< objects with a cell that the ground owns
 };
 
-/// Greatest distance of points from the line through their middle along which they vary most.
 double line_error(const std::vector<Eigen::Vector2d>& points) {
-    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-    for (const auto& point : points) {
-        middle += point / static_cast<double>(points.size());
-    }
-    Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
-    for (const auto& point : points) {
-        scatter += (point - middle) * (point - middle).transpose();
-    }
-    // Eigenvalues come in increasing order: the first vector stands across the line.
-    const Eigen::Vector2d across =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(scatter).eigenvectors().col(0);
-    double error = 0.0;
-    for (const auto& point : points) {
-        error = std::max(error, std::abs(across.dot(point - middle)));
-    }
-    return error;
+    return fit_line(points).greatest_distance(points);
 }
 
 } // namespace
