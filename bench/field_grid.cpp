@@ -23,8 +23,9 @@ FieldGrid make_field_grid(double cell_m) {
     ImageQuantizer(scene.camera, options)
         .quantize(scene.depth_m, scene.world_from_camera, window, rays);
     reference::integrate_image(rays, local_map);
-    reference::fuse_local_map(local_map, rule, grid);
-    return {options, rule, std::move(scene), window, std::move(local_map), std::move(grid)};
+    reference::fuse_local_map(local_map, rays.view, rule, grid);
+    return {options,        rule, std::move(scene), window, rays.view, std::move(local_map),
+            std::move(grid)};
 }
 
 std::map<ZoneIndex, ZoneBits> occupied_zones(const FieldGrid& field) {

@@ -20,7 +20,8 @@ struct FieldGrid {
     FusionRule rule;
     FieldScene scene;
     Window window;
-    LocalMap local_map; ///< what the image says
+    View view;          ///< of the image
+    LocalMap local_map; ///< what it says
     Grid grid;          ///< that, fused into an empty grid
 };
 

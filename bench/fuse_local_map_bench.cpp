@@ -37,7 +37,7 @@ void fuse_local_map(benchmark::State& state) {
     }
     for (auto _ : state) {
         benchmark::DoNotOptimize(
-            reference::fuse_local_map(field.local_map, field.rule, field.grid));
+            reference::fuse_local_map(field.local_map, field.view, field.rule, field.grid));
     }
     const auto zones = field.local_map.zones().size();
     const auto cells = zones * field.grid.zone_cells();

@@ -10,6 +10,10 @@
 #define ZG_MAX_SPLIT_LEVEL 4     /* at most 16 x 16 sub-rays a pixel */
 #define ZG_MAX_SPACING 67108864  /* 2^26: shifted by the split level it stays below 2^31 */
 
+#define ZG_VIEW_PER_CELL 16    /* unit of a view: 1/16 cell */
+#define ZG_VIEW_NORMAL_BITS 14 /* fixed point of the normals of its sides */
+#define ZG_VIEW_MARGIN 3       /* so far inside of each bound: more than the rounding here */
+
 #define ZG_STATEMENT_NOTHING 0
 #define ZG_STATEMENT_FREE 1
 #define ZG_STATEMENT_OCCUPIED 2

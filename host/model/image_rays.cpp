@@ -74,6 +74,40 @@ std::vector<std::int32_t> range_limits(const Camera& camera, double range_sub) {
     return limits;
 }
 
+/// A side of the view through the camera's centre: of length 1, in the world, rounded.
+View::Side side(const Eigen::Matrix3d& rotation, double x, double y, double z) {
+    const double length = std::sqrt((x * x + y * y) + z * z);
+    const Eigen::Vector3d normal = rotate(rotation, x / length, y / length, z / length);
+    const auto round = [](double value) {
+        return static_cast<std::int32_t>(std::floor(value * (1 << ZG_VIEW_NORMAL_BITS) + 0.5));
+    };
+    return {round(normal.x()), round(normal.y()), round(normal.z())};
+}
+
+struct PixelBox {
+    int left;
+    int right; ///< inclusive, as bottom; less than left if there is no pixel
+    int top;
+    int bottom;
+};
+
+/// The least box that holds all pixels that are not missing.
+PixelBox present_pixels(const ImageRays& rays) {
+    PixelBox box{rays.width_px, -1, rays.height_px, -1};
+    std::size_t pixel = 0;
+    for (int v_px = 0; v_px < rays.height_px; ++v_px) {
+        for (int u_px = 0; u_px < rays.width_px; ++u_px, ++pixel) {
+            if (rays.depths[pixel].near >= 0) {
+                box.left = std::min(box.left, u_px);
+                box.right = std::max(box.right, u_px);
+                box.top = std::min(box.top, v_px);
+                box.bottom = v_px;
+            }
+        }
+    }
+    return box;
+}
+
 /// A mounting that scales would draw beyond the window.
 void check_mounting(const Eigen::Isometry3d& body_from_camera) {
     constexpr double greatest_error = 1e-4;
@@ -131,7 +165,8 @@ ImageQuantizer::ImageQuantizer(const Camera& camera, const MapperOptions& option
     : camera_(camera),
       cell_m_(options.cell_m),
       spanned_(options.model == SensorModel::span),
-      sub_per_m_(ZG_SUB_PER_CELL / options.cell_m) {
+      sub_per_m_(ZG_SUB_PER_CELL / options.cell_m),
+      range_cells_(options.range_m / options.cell_m) {
     check_camera(camera);
     if (spanned_ && camera.stereo) {
         spread_per_m2_ = options.span_sigmas * camera.stereo->disparity_sigma_px /
@@ -192,6 +227,34 @@ void ImageQuantizer::quantize(std::span<const float> depth_m,
     for (std::size_t i = 0; i < limits_.size(); ++i) {
         rays.depths[i] = quantize_depth(depth_m[i], limits_[i]);
     }
+    rays.view = view(world_from_camera.linear(), rays);
+}
+
+View ImageQuantizer::view(const Eigen::Matrix3d& rotation, const ImageRays& rays) const {
+    View view;
+    view.bounded = true;
+    const PixelBox box = present_pixels(rays);
+    if (box.left > box.right) {
+        return view;
+    }
+    double left = -greatest_direction;
+    double right = greatest_direction;
+    double top = -greatest_direction;
+    double bottom = greatest_direction;
+    for (int v_px = box.top; v_px <= box.bottom; ++v_px) {
+        left = std::max(left, slope(camera_, box.left, v_px).first);
+        right = std::min(right, slope(camera_, box.right, v_px).first);
+    }
+    for (int u_px = box.left; u_px <= box.right; ++u_px) {
+        top = std::max(top, slope(camera_, u_px, box.top).second);
+        bottom = std::min(bottom, slope(camera_, u_px, box.bottom).second);
+    }
+    view.sides = {side(rotation, 1.0, 0.0, -left), side(rotation, -1.0, 0.0, right),
+                  side(rotation, 0.0, 1.0, -top), side(rotation, 0.0, -1.0, bottom)};
+    const auto coarse = [](std::int32_t sub) { return sub >> (ZG_SUB_BITS - 4); };
+    view.centre = {coarse(rays.origin.x), coarse(rays.origin.y), coarse(rays.origin.z)};
+    view.radius = static_cast<std::int32_t>(std::floor(range_cells_ * ZG_VIEW_PER_CELL));
+    return view;
 }
 
 } // namespace zonegrid

@@ -58,7 +58,7 @@ std::vector<std::uint32_t> LocalMap::zones() const {
 
 void LocalMap::copy_zone(std::uint32_t place, std::span<std::uint8_t> statements) const {
     const std::int32_t edge = window_.zone_edge();
-    const CellIndex first = first_cell_of_zone(place);
+    const CellIndex first = window_.first_cell_at(place);
     std::uint8_t* to = statements.data();
     for (std::int32_t z = 0; z < edge; ++z) {
         for (std::int32_t y = 0; y < edge; ++y, to += edge) {
@@ -72,16 +72,9 @@ void LocalMap::copy_zone(std::uint32_t place, std::span<std::uint8_t> statements
     }
 }
 
-CellIndex LocalMap::first_cell_of_zone(std::uint32_t place) const {
-    const ZoneIndex zone = window_.zone_at(place);
-    const CellIndex cell = first_cell_of(zone, window_.zone_edge());
-    const CellIndex first = window_.first_cell();
-    return {cell.x - first.x, cell.y - first.y, cell.z - first.z};
-}
-
 bool LocalMap::has_statement(std::uint32_t place) const {
     const std::int32_t edge = window_.zone_edge();
-    const CellIndex first = first_cell_of_zone(place);
+    const CellIndex first = window_.first_cell_at(place);
     for (std::int32_t z = 0; z < edge; ++z) {
         for (std::int32_t y = 0; y < edge; ++y) {
             const std::uint8_t* const row = row_at({first.x, first.y + y, first.z + z});

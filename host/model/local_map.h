@@ -72,7 +72,6 @@ private:
         const std::uint8_t* const cells = table_[brick_of(cell)].get();
         return cells == nullptr ? nullptr : cells + index_in_brick(cell);
     }
-    [[nodiscard]] CellIndex first_cell_of_zone(std::uint32_t place) const;
     /// Of a zone in a brick that is held.
     [[nodiscard]] bool has_statement(std::uint32_t place) const;
     void hold(std::uint32_t brick);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/view.h"
 #include "model/window.h"
 #include "zonegrid/options.h"
 #include "zonegrid/sensors.h"
@@ -32,6 +33,7 @@ struct ImageRays {
     std::vector<PixelDepth> depths;    ///< [v][u]
     bool spanned = false;              ///< `span`: sub-rays fill the pixel's pyramid
     std::int32_t spacing = 0;          ///< depth at which neighbouring rays are one cell apart
+    View view;
 
     /// Direction through the centre of pixel (u_px, v_px).
     [[nodiscard]] Direction direction(std::int32_t u_px, std::int32_t v_px) const {
@@ -95,11 +97,14 @@ private:
     [[nodiscard]] PixelDepth quantize_depth(float depth_m, std::int32_t limit) const;
     void place_camera(const Eigen::Isometry3d& world_from_camera, const Window& window,
                       ImageRays& rays) const;
+    /// What the pixels that are not missing see, of `rays` whose depths and origin are set.
+    [[nodiscard]] View view(const Eigen::Matrix3d& rotation, const ImageRays& rays) const;
 
     Camera camera_;
     double cell_m_;
     bool spanned_;
     double sub_per_m_;
+    double range_cells_;
     double spread_per_m2_ = 0.0; ///< sub-cells of spread per square metre of depth
     std::vector<std::int32_t> limits_;
 };

@@ -54,6 +54,14 @@ public:
                 first_.z + p / (zones_per_axis_ * zones_per_axis_)};
     }
 
+    /// First cell of the zone at a place, relative to the window's first cell.
+    [[nodiscard]] CellIndex first_cell_at(std::uint32_t place) const {
+        const auto p = static_cast<std::int32_t>(place);
+        return {p % zones_per_axis_ * zone_edge_,
+                p / zones_per_axis_ % zones_per_axis_ * zone_edge_,
+                p / (zones_per_axis_ * zones_per_axis_) * zone_edge_};
+    }
+
 private:
     std::int32_t zone_edge_;
     std::int32_t zones_per_axis_;

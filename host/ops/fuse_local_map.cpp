@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
 
 namespace zonegrid::ops {
@@ -16,8 +17,8 @@ namespace {
 using params::FuseLocalMapParams;
 static_assert(sizeof(FuseLocalMapParams) <= device::max_params_bytes);
 
-// The kernel reads and writes these as two and three words.
-static_assert(sizeof(ZonePair) == 8 && sizeof(ZoneChange) == 12);
+// The kernel reads and writes these as three words.
+static_assert(sizeof(ZonePair) == 12 && sizeof(ZoneChange) == 12);
 
 device::KernelSpec kernel_spec(std::uint32_t group_items) {
     return {"fuse_local_map", "fuse_local_map", 5, sizeof(FuseLocalMapParams), group_items};
@@ -31,29 +32,53 @@ void require_slot(std::uint32_t slot, std::uint64_t zone_bytes, const device::Bu
     }
 }
 
+void set_view(const View& view, FuseLocalMapParams& params) {
+    params.view_bounded = view.bounded ? 1 : 0;
+    for (std::size_t i = 0; i < view.sides.size(); ++i) {
+        params.view_side_x[i] = view.sides[i].x;
+        params.view_side_y[i] = view.sides[i].y;
+        params.view_side_z[i] = view.sides[i].z;
+    }
+    params.view_centre[0] = view.centre.x;
+    params.view_centre[1] = view.centre.y;
+    params.view_centre[2] = view.centre.z;
+    params.view_radius = view.radius;
+}
+
 } // namespace
+
+std::uint32_t zone_in_window(const Window& window, std::uint32_t place) {
+    const auto zones = static_cast<std::uint32_t>(window.zones_per_axis());
+    return place % zones | place / zones % zones << 8U | place / (zones * zones) << 16U;
+}
 
 FuseLocalMap::FuseLocalMap(device::Device& device, std::int32_t zone_edge, const FusionRule& rule,
                            std::uint32_t group_items)
     : device_(device),
       layout_(zone_edge),
+      zone_bits_(
+          static_cast<std::uint32_t>(std::countr_zero(static_cast<std::uint32_t>(zone_edge)))),
       rule_(rule),
       kernel_(device.make_kernel(kernel_spec(group_items))),
       pairs_(device),
       changes_(device) {}
 
-void FuseLocalMap::dispatch(const FusionBuffers& buffers, std::span<const ZonePair> pairs) {
+void FuseLocalMap::dispatch(const FusionBuffers& buffers, const View& view,
+                            std::span<const ZonePair> pairs) {
     check(buffers, pairs);
     pair_count_ = pairs.size();
     if (pairs.empty()) {
         return;
     }
-    const FuseLocalMapParams params{static_cast<std::uint32_t>(pairs.size()),
-                                    layout_.plane_words(),
-                                    rule_.hit,
-                                    rule_.miss,
-                                    rule_.limit,
-                                    rule_.threshold};
+    FuseLocalMapParams params{};
+    params.pair_count = static_cast<std::uint32_t>(pairs.size());
+    params.plane_words = layout_.plane_words();
+    params.hit = rule_.hit;
+    params.miss = rule_.miss;
+    params.limit = rule_.limit;
+    params.threshold = rule_.threshold;
+    params.zone_bits = zone_bits_;
+    set_view(view, params);
     const std::array<const device::Buffer*, 5> bindings{
         &buffers.local_planes, &buffers.grid_cells, &buffers.occupied_planes, &pairs_.upload(pairs),
         &changes_.reserve(pairs.size() * sizeof(ZoneChange))};

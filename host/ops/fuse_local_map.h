@@ -2,6 +2,8 @@
 
 #include "device/device.h"
 #include "model/fusion.h"
+#include "model/view.h"
+#include "model/window.h"
 #include "ops/growing_buffer.h"
 #include "ops/zone_layout.h"
 
@@ -15,7 +17,12 @@ namespace zonegrid::ops {
 struct ZonePair {
     std::uint32_t local_slot = 0;
     std::uint32_t grid_slot = 0;
+    std::uint32_t zone = 0; ///< where both stand: of `zone_in_window`
 };
+
+/// The zone at a place in the window, for a `ZonePair`: its x, y and z from the window's first zone
+/// in a byte each.
+[[nodiscard]] std::uint32_t zone_in_window(const Window& window, std::uint32_t place);
 
 /// What fusion did to a zone.
 struct ZoneChange {
@@ -44,10 +51,10 @@ public:
     /// does the same, unless there is enough.
     void reserve(std::size_t pairs);
 
-    /// Fuses each pair, without waiting. No two pairs share a grid slot. Throws UsageError if they
-    /// do or if a slot lies outside its buffer, CapacityError if a buffer is too large for 32-bit
-    /// places.
-    void dispatch(const FusionBuffers& buffers, std::span<const ZonePair> pairs);
+    /// Fuses each pair, without waiting; `view` is of the image that the local maps are of. No two
+    /// pairs share a grid slot. Throws UsageError if they do or if a slot lies outside its buffer,
+    /// CapacityError if a buffer is too large for 32-bit places.
+    void dispatch(const FusionBuffers& buffers, const View& view, std::span<const ZonePair> pairs);
 
     /// Waits; one entry a pair of the last dispatch, in its order.
     [[nodiscard]] std::vector<ZoneChange> changes();
@@ -57,6 +64,7 @@ private:
 
     device::Device& device_;
     ZoneLayout layout_;
+    std::uint32_t zone_bits_; ///< a zone is 2^zone_bits_ cells wide
     FusionRule rule_;
     device::Kernel kernel_;
     GrowingBuffer pairs_;

@@ -115,6 +115,7 @@ void DeviceEngine::integrate_image(const ImageRays& rays) {
     reserve(ops::reached_zones(rays, window_));
     take_memory([&] { integrate_image_.dispatch(rays, local_map_); });
     local_map_.check();
+    view_ = rays.view;
     drawn_ = true;
 }
 
@@ -122,6 +123,7 @@ void DeviceEngine::integrate_scan(const ScanRays& scan) {
     reserve(ops::reached_zones(scan, window_));
     take_memory([&] { integrate_scan_.dispatch(scan, local_map_); });
     local_map_.check();
+    view_ = {};
     drawn_ = true;
 }
 
@@ -173,10 +175,12 @@ void DeviceEngine::fuse_chunk(std::uint32_t chunk, std::span<const std::size_t> 
     std::vector<ops::ZonePair> pairs;
     pairs.reserve(reserved.size());
     for (const auto i : reserved) {
-        pairs.push_back({ops::DeviceLocalMap::slot_of(i), slots_.at(reserved_[i]).index});
+        pairs.push_back({ops::DeviceLocalMap::slot_of(i), slots_.at(reserved_[i]).index,
+                         ops::zone_in_window(window_, reserved_[i])});
     }
     auto& buffers = grid_.chunk(chunk);
-    fuse_local_map_.dispatch({local_map_.planes(), buffers.cells, buffers.occupied_planes}, pairs);
+    fuse_local_map_.dispatch({local_map_.planes(), buffers.cells, buffers.occupied_planes}, view_,
+                             pairs);
     const auto changes = fuse_local_map_.changes();
     for (std::size_t n = 0; n < changes.size(); ++n) {
         const auto place = reserved_[reserved[n]];

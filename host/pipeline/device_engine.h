@@ -86,6 +86,7 @@ private:
     std::map<std::uint32_t, Slot> slots_; ///< of the zones that hold cells, by place
     std::vector<std::uint32_t> held_;     ///< their places
     std::vector<std::uint32_t> reserved_; ///< places of the local map's zones
+    View view_;                           ///< of the last image or scan
     bool drawn_ = false;                  ///< whether the local map is that of the last image
     std::vector<std::int8_t> values_;     ///< of the zone asked for last
 };

@@ -27,15 +27,17 @@ void ReferenceEngine::draw_objects(const ZoneIndex& zone, std::span<const CellIn
 void ReferenceEngine::integrate_image(const ImageRays& rays) {
     local_map_.clear();
     reference::integrate_image(rays, local_map_);
+    view_ = rays.view;
 }
 
 void ReferenceEngine::integrate_scan(const ScanRays& scan) {
     local_map_.clear();
     reference::integrate_scan(scan, local_map_);
+    view_ = {};
 }
 
 FusionResult ReferenceEngine::fuse_local_map() {
-    return reference::fuse_local_map(local_map_, rule_, grid_);
+    return reference::fuse_local_map(local_map_, view_, rule_, grid_);
 }
 
 void ReferenceEngine::visit_local_map(

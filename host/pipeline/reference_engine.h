@@ -37,6 +37,7 @@ private:
     FusionRule rule_;
     Grid grid_;
     LocalMap local_map_;
+    View view_; ///< of the last image or scan
     ObjectTracker tracker_;
 };
 

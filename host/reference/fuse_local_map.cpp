@@ -45,14 +45,66 @@ ZoneChange fuse_zone(std::span<const std::uint8_t> statements, const FusionRule 
     return change;
 }
 
+/// Whether all of a cell, given relative to the window's first, lies in the view.
+bool sees_whole(const View& view, const CellIndex& cell) {
+    for (int corner = 0; corner < 8; ++corner) {
+        const std::int64_t x =
+            std::int64_t{ZG_VIEW_PER_CELL} * (cell.x + (corner & 1)) - view.centre.x;
+        const std::int64_t y =
+            std::int64_t{ZG_VIEW_PER_CELL} * (cell.y + (corner >> 1 & 1)) - view.centre.y;
+        const std::int64_t z =
+            std::int64_t{ZG_VIEW_PER_CELL} * (cell.z + (corner >> 2)) - view.centre.z;
+        const std::int64_t radius = view.radius - ZG_VIEW_MARGIN;
+        if (x * x + y * y + z * z > radius * radius) {
+            return false;
+        }
+        for (const auto& side : view.sides) {
+            if (side.x * x + side.y * y + side.z * z < ZG_VIEW_MARGIN << ZG_VIEW_NORMAL_BITS) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/// Takes back what is said against obstacles of whose cells the view holds only a part. `first`: of
+/// the zone's cells, relative to the window's first.
+void keep_partly_seen(const View& view, const CellIndex& first, std::int32_t zone_edge,
+                      std::int32_t threshold, std::span<const std::int8_t> values,
+                      std::span<std::uint8_t> statements) {
+    const auto denied = [&](std::size_t i) {
+        return statements[i] == ZG_STATEMENT_FREE && values[i] >= threshold;
+    };
+    for (std::size_t run = 0; run < values.size(); run += run_cells) {
+        // Obstacles are denied rarely, and to look for one the compiler takes many cells at once.
+        bool any_denied = false;
+        for (std::size_t i = run; i < run + run_cells; ++i) {
+            any_denied |= denied(i);
+        }
+        for (std::size_t i = run; any_denied && i < run + run_cells; ++i) {
+            const CellIndex in_zone = cell_at({}, static_cast<std::uint32_t>(i), zone_edge);
+            if (denied(i) && !sees_whole(view, {first.x + in_zone.x, first.y + in_zone.y,
+                                                first.z + in_zone.z})) {
+                statements[i] = ZG_STATEMENT_NOTHING;
+            }
+        }
+    }
+}
+
 } // namespace
 
-FusionResult fuse_local_map(const LocalMap& local_map, const FusionRule& rule, Grid& grid) {
+FusionResult fuse_local_map(const LocalMap& local_map, const View& view, const FusionRule& rule,
+                            Grid& grid) {
     FusionResult result;
     std::vector<std::uint8_t> statements(grid.zone_cells());
     for (const auto place : local_map.zones()) {
         local_map.copy_zone(place, statements);
-        const auto change = fuse_zone(statements, rule, grid.touch(place));
+        const auto values = grid.touch(place);
+        if (view.bounded) {
+            keep_partly_seen(view, grid.window().first_cell_at(place), grid.window().zone_edge(),
+                             rule.threshold, values, statements);
+        }
+        const auto change = fuse_zone(statements, rule, values);
         result.cells_changed += change.values;
         if (change.values != 0) {
             result.values_changed.push_back(place);

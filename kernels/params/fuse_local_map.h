@@ -15,6 +15,13 @@ struct FuseLocalMapParams {
     int miss;
     int limit;
     int threshold;
+    uint zone_bits;     /* a zone is 2^zone_bits cells wide */
+    uint view_bounded;  /* 0: every cell is seen whole */
+    int view_side_x[4]; /* the view: docs/model.md, section 3 */
+    int view_side_y[4];
+    int view_side_z[4];
+    int view_centre[3];
+    int view_radius;
 };
 
 #ifdef __cplusplus

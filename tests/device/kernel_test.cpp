@@ -48,18 +48,19 @@ public:
           local_(filled(zones * 2 * plane_words, 0xFFFFFFFF)),
           grid_(filled(zones * grid_words, 0)),
           occupied_(filled(zones * plane_words, 0)),
-          pairs_(filled(2 * zones, 0)),
+          pairs_(filled(3 * zones, 0)),
           changes_(filled(3 * zones, 0)) {
-        std::vector<std::uint32_t> pairs(2 * std::size_t{zones});
+        std::vector<std::uint32_t> pairs(3 * std::size_t{zones});
         for (std::uint32_t i = 0; i < zones; ++i) {
-            pairs[2 * i] = zones - 1 - i;
-            pairs[2 * i + 1] = i;
+            pairs[3 * i] = zones - 1 - i;
+            pairs[3 * i + 1] = i;
         }
         device_.upload(pairs_, 0, std::as_bytes(std::span(pairs)));
     }
 
     void hit(std::int32_t hit) {
-        const FuseLocalMapParams params{zones_, plane_words, hit, 1, 127, 100};
+        const FuseLocalMapParams params{zones_, plane_words, hit, 1,  127, 100, 3,
+                                        0,      {},          {},  {}, {},  0};
         const std::array<const Buffer*, 5> buffers{&local_, &grid_, &occupied_, &pairs_, &changes_};
         device_.dispatch(kernel_, buffers, std::as_bytes(std::span(&params, 1)), zones_);
     }

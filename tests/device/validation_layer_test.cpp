@@ -48,10 +48,10 @@ protected:
         const Buffer local = zeros(*device, 2 * plane_words);
         const Buffer grid = zeros(*device, 8 * plane_words);
         const Buffer occupied = zeros(*device, plane_words);
-        Buffer pairs = zeros(*device, 2);
+        Buffer pairs = zeros(*device, 3);
         const Buffer changes = zeros(*device, 3);
         device->fill(pairs, 4, 4, grid_slot);
-        const FuseLocalMapParams params{1, plane_words, 1, 1, 8, 2};
+        const FuseLocalMapParams params{1, plane_words, 1, 1, 8, 2, 3, 0, {}, {}, {}, {}, 0};
         const std::array<const Buffer*, 5> buffers{&local, &grid, &occupied, &pairs, &changes};
         for (int i = 0; i < 2; ++i) {
             device->dispatch(kernel, buffers, std::as_bytes(std::span(&params, 1)), 1);

@@ -8,9 +8,11 @@
 #include "zonegrid/errors.h"
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <string>
@@ -65,7 +67,35 @@ struct Coverage {
     std::uint64_t held_at_upper_limit = 0;
     std::uint64_t held_at_lower_limit = 0;
     std::uint64_t occupancy_changes = 0;
+    std::uint64_t denied = 0;      ///< obstacles stated free and seen whole
+    std::uint64_t partly_seen = 0; ///< obstacles stated free and not seen whole
 };
+
+/// A view from in or near a cube of cells: every side is its own, or as of a camera.
+View random_view(oracle::Random& random, std::int32_t window_cells) {
+    View view;
+    view.bounded = random.chance(0.9);
+    const auto axis = [&random] { return random.real(-1.0, 1.0); };
+    const Eigen::Vector3d ahead(axis(), axis(), axis());
+    const double slope = random.real(0.05, 3.0);
+    for (auto& side : view.sides) {
+        Eigen::Vector3d normal(axis(), axis(), axis());
+        if (random.chance(0.9)) {
+            normal = (normal.cross(ahead) + slope * ahead).eval();
+        }
+        normal *= (1 << ZG_VIEW_NORMAL_BITS) / normal.norm();
+        side = {static_cast<std::int32_t>(std::lround(normal.x())),
+                static_cast<std::int32_t>(std::lround(normal.y())),
+                static_cast<std::int32_t>(std::lround(normal.z()))};
+    }
+    const std::int32_t most = ZG_VIEW_PER_CELL * window_cells;
+    const auto place = [&] {
+        return random.chance(0.1) ? (random.chance(0.5) ? 0 : most - 1) : random.pick(0, most - 1);
+    };
+    view.centre = {place(), place(), place()};
+    view.radius = random.chance(0.1) ? random.pick(0, 40) : random.pick(0, 2 * most);
+    return view;
+}
 
 /// A grid that the reference and a device fuse the same images into, zones lying in slots at
 /// random.
@@ -92,8 +122,10 @@ public:
         LocalMap local_map(window_);
         const auto pairs = make_image(local_map, coverage);
         const auto before = copy_values();
-        const auto result = reference::fuse_local_map(local_map, rule_, grid_);
-        fuse_.dispatch({local_planes_, grid_cells_, occupied_planes_}, pairs);
+        const View view = random_view(random_, window_.edge_cells());
+        const auto result = reference::fuse_local_map(local_map, view, rule_, grid_);
+        count_denials(local_map, before, coverage);
+        fuse_.dispatch({local_planes_, grid_cells_, occupied_planes_}, view, pairs);
         compare_changes(before, result);
         compare_grids();
         coverage.zones += pairs.size();
@@ -137,7 +169,8 @@ private:
             const auto words = std::span(planes).first(layout_.plane_words());
             const auto occupied = std::span(planes).last(layout_.plane_words());
             stated_.push_back(count_either(words, occupied));
-            pairs.push_back({local_slots[i], slots_[places_[i]]});
+            pairs.push_back(
+                {local_slots[i], slots_[places_[i]], ops::zone_in_window(window_, places_[i])});
         }
         return pairs;
     }
@@ -187,6 +220,20 @@ private:
             copies.emplace_back(values.begin(), values.end());
         }
         return copies;
+    }
+
+    void count_denials(const LocalMap& local_map,
+                       const std::vector<std::vector<std::int8_t>>& before, Coverage& coverage) {
+        std::vector<std::uint8_t> statements(layout_.zone_cells);
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            local_map.copy_zone(places_[i], statements);
+            const auto after = grid_.find(places_[i]);
+            for (std::size_t cell = 0; cell < statements.size(); ++cell) {
+                if (statements[cell] == ZG_STATEMENT_FREE && before[i][cell] >= rule_.threshold) {
+                    ++(after[cell] == before[i][cell] ? coverage.partly_seen : coverage.denied);
+                }
+            }
+        }
     }
 
     void compare_changes(const std::vector<std::vector<std::int8_t>>& before,
@@ -289,6 +336,8 @@ TEST_P(FuseLocalMapOn, EqualsTheReference) {
         EXPECT_GT(coverage.held_at_upper_limit, 1000U);
         EXPECT_GT(coverage.held_at_lower_limit, 1000U);
         EXPECT_GT(coverage.occupancy_changes, 200U);
+        EXPECT_GT(coverage.denied, 10000U);
+        EXPECT_GT(coverage.partly_seen, 10000U);
     });
 }
 
@@ -300,11 +349,11 @@ TEST_P(FuseLocalMapOn, RefusesPairsThatCannotBeFused) {
         Buffer grid = device->make_buffer(3 * layout.grid_bytes());
         Buffer occupied = device->make_buffer(4 * layout.plane_bytes());
         const auto dispatch = [&](const std::vector<ZonePair>& pairs) {
-            fuse.dispatch({local, grid, occupied}, pairs);
+            fuse.dispatch({local, grid, occupied}, View{}, pairs);
         };
-        EXPECT_THROW(dispatch({{2, 0}}), UsageError);
-        EXPECT_THROW(dispatch({{0, 3}}), UsageError);
-        EXPECT_THROW(dispatch({{0, 1}, {1, 0}, {1, 1}}), UsageError);
+        EXPECT_THROW(dispatch({{2, 0, 0}}), UsageError);
+        EXPECT_THROW(dispatch({{0, 3, 0}}), UsageError);
+        EXPECT_THROW(dispatch({{0, 1, 0}, {1, 0, 0}, {1, 1, 0}}), UsageError);
         dispatch({});
         EXPECT_TRUE(fuse.changes().empty());
     });

@@ -33,21 +33,23 @@ public:
     FusionResult say(std::uint8_t statement) {
         local_map_.clear();
         say_in_zone(local_map_, place, index, statement);
-        return reference::fuse_local_map(local_map_, rule_, grid_);
+        return reference::fuse_local_map(local_map_, view_, rule_, grid_);
     }
     [[nodiscard]] int value() const {
         const auto values = grid_.find(place);
         return values.empty() ? 0 : values[index];
     }
     void set(int value) { grid_.touch(place)[index] = static_cast<std::int8_t>(value); }
+    void set_view(const View& view) { view_ = view; }
 
 private:
-    static constexpr std::uint32_t place = 13;
-    static constexpr std::uint32_t index = 77;
+    static constexpr std::uint32_t place = 13; // the middle zone
+    static constexpr std::uint32_t index = 77; // cell (13, 9, 9) of the window
     FusionRule rule_;
     Window window_;
     LocalMap local_map_;
     Grid grid_;
+    View view_;
 };
 
 TEST(FuseLocalMap, TruthTableOfTheDefaults) {
@@ -75,6 +77,74 @@ TEST(FuseLocalMap, TruthTableOfTheDefaults) {
         EXPECT_EQ(cell.value(), row.after) << row.before << " and statement " << +row.statement;
         EXPECT_EQ(result.cells_changed, row.after != row.before ? 1U : 0U) << row.before;
         EXPECT_EQ(result.occupancy_changed.size(), row.occupancy_changes ? 1U : 0U) << row.before;
+    }
+}
+
+/// From the middle of cell (2, 9, 9) along x, 45 degrees to all sides, up to 40 cells.
+View wide_view() {
+    View view;
+    view.bounded = true;
+    view.sides = {{{11585, 11585, 0}, {11585, -11585, 0}, {11585, 0, 11585}, {11585, 0, -11585}}};
+    view.centre = {40, 152, 152};
+    view.radius = 640;
+    return view;
+}
+
+bool denies(const View& view) {
+    OneCell cell{MapperOptions{}};
+    cell.set_view(view);
+    cell.set(8);
+    cell.say(ZG_STATEMENT_FREE);
+    return cell.value() == 7;
+}
+
+TEST(FuseLocalMap, DeniesAnObstacleOnlyIfItsWholeCellIsSeen) {
+    ASSERT_TRUE(denies(wide_view()));
+
+    // The farthest corner (14, 10, 10) is 184, 8 and 8 sixteenths away: 184.3.
+    View view = wide_view();
+    view.radius = 188;
+    EXPECT_TRUE(denies(view));
+    view.radius = 187;
+    EXPECT_FALSE(denies(view));
+
+    // Its nearest corner is 168 sixteenths ahead; the margin of 3 is 4.2 along an axis.
+    const auto denied_from = [](std::int32_t y, std::int32_t z) {
+        View moved = wide_view();
+        moved.centre.y = y;
+        moved.centre.z = z;
+        return denies(moved);
+    };
+    EXPECT_TRUE(denied_from(144 + 163, 152)); // the corner at y = 144 is 163 to the left
+    EXPECT_FALSE(denied_from(144 + 164, 152));
+    EXPECT_TRUE(denied_from(160 - 163, 152)); // the corner at y = 160 is 163 to the right
+    EXPECT_FALSE(denied_from(160 - 164, 152));
+    EXPECT_TRUE(denied_from(152, 144 + 163));
+    EXPECT_FALSE(denied_from(152, 144 + 164));
+    EXPECT_TRUE(denied_from(152, 160 - 163));
+    EXPECT_FALSE(denied_from(152, 160 - 164));
+}
+
+TEST(FuseLocalMap, WhatIsNoObstacleIsFreedWhereItIsPartlySeen) {
+    View view = wide_view();
+    view.radius = 0;
+    struct Row {
+        int before;
+        std::uint8_t statement;
+        int after;
+    };
+    const std::vector<Row> rows{
+        {8, ZG_STATEMENT_FREE, 8},     {2, ZG_STATEMENT_FREE, 2},      {1, ZG_STATEMENT_FREE, 0},
+        {0, ZG_STATEMENT_FREE, -1},    {-8, ZG_STATEMENT_FREE, -8},    {2, ZG_STATEMENT_NOTHING, 2},
+        {2, ZG_STATEMENT_OCCUPIED, 4}, {-1, ZG_STATEMENT_OCCUPIED, 1},
+    };
+    for (const auto& row : rows) {
+        OneCell cell{MapperOptions{}};
+        cell.set_view(view);
+        cell.set(row.before);
+        const auto result = cell.say(row.statement);
+        EXPECT_EQ(cell.value(), row.after) << row.before << " and statement " << +row.statement;
+        EXPECT_EQ(result.cells_changed, row.after != row.before ? 1U : 0U) << row.before;
     }
 }
 
@@ -133,7 +203,7 @@ TEST(FuseLocalMap, TouchesOnlyZonesOfTheLocalMap) {
     const FusionRule rule{MapperOptions{}};
     grid.touch(3)[5] = 4;
     say_in_zone(local_map, 7, 9, ZG_STATEMENT_FREE);
-    const auto result = reference::fuse_local_map(local_map, rule, grid);
+    const auto result = reference::fuse_local_map(local_map, {}, rule, grid);
     EXPECT_EQ(grid.held().size(), 2U);
     EXPECT_EQ(grid.find(3)[5], 4);
     EXPECT_EQ(grid.find(7)[9], -1);
@@ -149,7 +219,7 @@ TEST(FuseLocalMap, OneCellLostAndOneWonStillIsAChangeOfOccupancy) {
     grid.touch(4)[0] = 2;
     say_in_zone(local_map, 4, 0, ZG_STATEMENT_FREE);
     say_in_zone(local_map, 4, 1, ZG_STATEMENT_OCCUPIED);
-    const auto result = reference::fuse_local_map(local_map, FusionRule{MapperOptions{}}, grid);
+    const auto result = reference::fuse_local_map(local_map, {}, FusionRule{MapperOptions{}}, grid);
     EXPECT_EQ(result.occupancy_changed, std::vector<std::uint32_t>{4});
 }
 
@@ -218,7 +288,7 @@ TEST(FuseLocalMap, EqualsACellByCellModelOverManyImages) {
                     changed += plain.say(place, i, statement, occupancy_changed) ? 1U : 0U;
                 }
             }
-            const auto result = reference::fuse_local_map(local_map, FusionRule(options), grid);
+            const auto result = reference::fuse_local_map(local_map, {}, FusionRule(options), grid);
             ASSERT_EQ(result.cells_changed, changed) << "seed " << seed << ", run " << run;
             ASSERT_EQ(std::set(result.occupancy_changed.begin(), result.occupancy_changed.end()),
                       occupancy_changed)

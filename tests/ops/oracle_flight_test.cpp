@@ -48,6 +48,8 @@ struct Seen {
     std::uint64_t objects = 0;
     std::uint64_t large_objects = 0; ///< more cells than a zone has
     std::uint64_t across_edge = 0;   ///< occupied in the window and remembered outside it
+    std::uint64_t partly_seen = 0;   ///< occupied, and spared by an image that says free
+    std::uint64_t wholly_seen = 0;   ///< occupied, and denied by one
 };
 
 /// A mapper and its oracle that get the same calls.
@@ -97,6 +99,8 @@ public:
             ASSERT_EQ(mapper_.height_profile(cut_m).columns, oracle_.height_profile(cut_m));
         }
         compare_statistics();
+        seen_.partly_seen += oracle_.partly_seen();
+        seen_.wholly_seen += oracle_.wholly_seen();
     }
 
 private:
@@ -274,6 +278,32 @@ void fly(std::uint64_t seed, int steps, Seen& seen) {
     pair.compare_everything();
 }
 
+/// Images from within what a scan filled: of every cell they say free they decide whether they see
+/// all of it, at places where corners of cells lie on the view's borders.
+void fly_through_filled_cells(std::uint64_t seed, int steps, Seen& seen) {
+    Random random(seed);
+    const Camera camera = oracle::seeing_camera(random);
+    const MapperOptions options = oracle::seeing_options(random);
+    const auto ends = oracle::filling_ends(options);
+    Pair pair(options, camera, seen);
+    NavigationSample sample;
+    for (int step = 0; step < steps; ++step) {
+        sample.time_s += 0.1;
+        sample.position_m = oracle::seeing_position(random, options.cell_m, 40);
+        sample.world_from_body = oracle::random_attitude(random);
+        pair.add_navigation(sample);
+        Scan scan;
+        scan.time_s = sample.time_s - 1e-3;
+        scan.body_from_sensor = camera.body_from_camera;
+        scan.ends_m = ends;
+        ASSERT_NO_FATAL_FAILURE(pair.add_scan(scan)) << "step " << step;
+        const auto depths = oracle::framed_depths(random, camera, options);
+        ASSERT_NO_FATAL_FAILURE(pair.add_image({sample.time_s, depths})) << "step " << step;
+        ASSERT_NO_FATAL_FAILURE(pair.compare_cells()) << "step " << step;
+    }
+    pair.compare_everything();
+}
+
 TEST(OracleFlight, MapperEqualsTheOracle) {
     constexpr std::uint64_t flights = 80;
     constexpr int steps = 60;
@@ -291,6 +321,20 @@ TEST(OracleFlight, MapperEqualsTheOracle) {
     EXPECT_GT(seen.objects, 5000U);
     EXPECT_GT(seen.large_objects, 50U);
     EXPECT_GT(seen.across_edge, 100U);
+    EXPECT_GT(seen.partly_seen, 10000U);
+    EXPECT_GT(seen.wholly_seen, 1000U);
+}
+
+TEST(OracleFlight, ImagesDenyOnlyWhatTheySeeWhole) {
+    constexpr std::uint64_t flights = 80;
+    constexpr int steps = 10;
+    Seen seen;
+    for (std::uint64_t seed = 1; seed <= flights; ++seed) {
+        ASSERT_NO_FATAL_FAILURE(fly_through_filled_cells(seed, steps, seen)) << "seed " << seed;
+    }
+    EXPECT_EQ(seen.skipped, 0U);
+    EXPECT_GT(seen.partly_seen, 30000U);
+    EXPECT_GT(seen.wholly_seen, 5000U);
 }
 
 } // namespace

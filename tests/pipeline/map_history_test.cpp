@@ -202,7 +202,7 @@ void fly_many(const std::string& backend) {
     }
     if (count >= 15) {
         EXPECT_GT(seen.cells, 10000U);
-        EXPECT_GT(seen.cleared, 50U);
+        EXPECT_GT(seen.cleared, 30U);
         EXPECT_GT(seen.again, 10U);
         EXPECT_GT(seen.entered, 20U);
         EXPECT_GT(seen.left, 100U);

@@ -106,8 +106,9 @@ TEST(MapperMemory, ANewMeasurementConfirms) {
 
 TEST(MapperMemory, NewMeasurementsClear) {
     WallFlight flight;
-    flight.see_wall();
+    flight.see_panel();
     const auto before = flight.mapper().objects();
+    ASSERT_EQ(before.at(0).cell_count, 25U);
     flight.fly_to(WallFlight::far_away_m);
     for (int image = 0; image < 3; ++image) { // 5 to 2
         flight.see_sky(WallFlight::home_m);
@@ -122,6 +123,19 @@ TEST(MapperMemory, NewMeasurementsClear) {
     flight.fly_to(WallFlight::home_m);
     EXPECT_TRUE(flight.mapper().objects().empty());
     EXPECT_TRUE(scenes::values_of(flight.mapper()).empty());
+}
+
+TEST(MapperMemory, AWallThatLeavesTheImageStays) {
+    // Level flight along the wall: each image sees sky beyond the end of what is left in view.
+    WallFlight flight;
+    flight.see_wall();
+    const auto before = flight.mapper().objects();
+    for (int image = 0; image < 100; ++image) {
+        flight.see_sky({0.5, 10.2, 0.5}); // y = 5 lies across the image's left edge
+    }
+    EXPECT_EQ(scenes::difference(before, flight.mapper().objects()), "");
+    EXPECT_EQ(flight.mapper().value({10, 5, 0}), 2);
+    EXPECT_EQ(flight.mapper().value({10, 6, 0}), -8) << "no obstacle: free at once";
 }
 
 TEST(MapperMemory, AnObjectAcrossTheWindowsEdgeIsOneObject) {
@@ -153,13 +167,13 @@ TEST(MapperMemory, ClearingThePartInTheWindowLeavesTheRememberedPart) {
     }
     ASSERT_EQ(flight.mapper().objects().size(), 1U) << "nothing was looked at there";
     EXPECT_EQ(flight.mapper().objects()[0].cell_count, 77U);
-    flight.see_sky({0.5, 10.0, 0.5}); // sees y = 5 and beyond: 2 to 1
+    flight.see_sky({0.5, 9.0, 0.5}); // of y = 5 it sees all but the ends: 2 to 1
     const auto objects = flight.mapper().objects();
     ASSERT_EQ(objects.size(), 1U);
     EXPECT_EQ(objects[0].id, (CellIndex{10, -5, -3}));
-    EXPECT_LT(objects[0].cell_count, 77U);
+    EXPECT_EQ(objects[0].cell_count, 72U);
     EXPECT_EQ(objects[0].box_min.y, -5);
-    EXPECT_GE(objects[0].cell_count, 70U); // at most the column y = 5 is gone
+    EXPECT_EQ(objects[0].box_max.y, 5); // the ends
 }
 
 TEST(MapperMemory, AZoneNeverTouchedCostsNothing) {

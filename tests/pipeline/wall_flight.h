@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -29,6 +30,15 @@ public:
     }
 
     ImageResult see_wall() { return show(home_m, scenes::flat_image(camera(), 10.0F)); }
+    /// A smaller wall in the middle of the image, so that from `home_m` the cells are seen whole:
+    /// x = 10, y = -2 .. 2, z = -2 .. 2.
+    ImageResult see_panel() {
+        auto depth_m = scenes::flat_image(camera(), std::numeric_limits<float>::infinity());
+        for (std::size_t v_px = 3; v_px < 9; ++v_px) {
+            std::fill_n(depth_m.begin() + static_cast<std::ptrdiff_t>(16 * v_px + 4), 8, 10.0F);
+        }
+        return show(home_m, depth_m);
+    }
     ImageResult see_sky(const Eigen::Vector3d& position_m) {
         return show(position_m,
                     scenes::flat_image(camera(), std::numeric_limits<float>::infinity()));

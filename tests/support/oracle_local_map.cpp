@@ -63,11 +63,11 @@ public:
 
     /// Nothing for a missing pixel.
     [[nodiscard]] std::optional<Depth> depth(int u, int v, float depth_m) const {
-        const auto z = static_cast<double>(depth_m);
-        if (std::isnan(z) || z <= 0.0) {
+        if (is_missing(depth_m)) {
             return {};
         }
-        const Triple d = direction(u, v);
+        const auto z = static_cast<double>(depth_m);
+        const Triple d = pixel_direction(camera_, u, v);
         const double length = std::sqrt((d[0] * d[0] + d[1] * d[1]) + 1.0);
         const double limit = std::floor(options_.range_m * scale_ / length);
         const double q = std::floor(z * scale_ + 0.5);
@@ -111,19 +111,9 @@ public:
     [[nodiscard]] const SubCell& origin() const { return origin_; }
 
 private:
-    [[nodiscard]] Triple direction(int u, int v) const {
-        if (camera_.directions.empty()) {
-            return {(u - camera_.cx_px) / camera_.fx_px, (v - camera_.cy_px) / camera_.fy_px, 1.0};
-        }
-        const auto at = static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width_px) +
-                        static_cast<std::size_t>(u);
-        return {static_cast<double>(camera_.directions[at].x()),
-                static_cast<double>(camera_.directions[at].y()), 1.0};
-    }
-
     [[nodiscard]] Whole pixel_ray(int u, int v) const {
         if (!camera_.directions.empty()) {
-            return fixed_point(pose_.rotation, direction(u, v));
+            return fixed_point(pose_.rotation, pixel_direction(camera_, u, v));
         }
         Whole ray = corner_;
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -209,16 +199,30 @@ std::optional<std::int64_t> sub_of(double position_m, double cell_m) {
     return floor_to_whole(cells * 256.0);
 }
 
+bool is_missing(float depth_m) {
+    return std::isnan(depth_m) || depth_m <= 0.0F;
+}
+
+std::size_t pixel_at(const Camera& camera, int u, int v) {
+    return static_cast<std::size_t>(v) * static_cast<std::size_t>(camera.width_px) +
+           static_cast<std::size_t>(u);
+}
+
+Triple pixel_direction(const Camera& camera, int u, int v) {
+    if (camera.directions.empty()) {
+        return {(u - camera.cx_px) / camera.fx_px, (v - camera.cy_px) / camera.fy_px, 1.0};
+    }
+    const Eigen::Vector2f& direction = camera.directions[pixel_at(camera, u, v)];
+    return {static_cast<double>(direction.x()), static_cast<double>(direction.y()), 1.0};
+}
+
 LocalMap image_local_map(const Camera& camera, const MapperOptions& options, const Pose& pose,
                          std::span<const float> depth_m) {
     const Picture picture(camera, options, pose);
     LocalMap map;
     for (int v = 0; v < camera.height_px; ++v) {
         for (int u = 0; u < camera.width_px; ++u) {
-            const auto at =
-                static_cast<std::size_t>(v) * static_cast<std::size_t>(camera.width_px) +
-                static_cast<std::size_t>(u);
-            const auto depth = picture.depth(u, v, depth_m[at]);
+            const auto depth = picture.depth(u, v, depth_m[pixel_at(camera, u, v)]);
             if (!depth) {
                 ++map.missing;
                 continue;

@@ -5,6 +5,7 @@
 #include "zonegrid/options.h"
 #include "zonegrid/sensors.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -33,6 +34,15 @@ struct LocalMap {
 
 /// Sub-cell of a position in metres on one axis; nothing if not finite or beyond +-2^31 cells.
 [[nodiscard]] std::optional<std::int64_t> sub_of(double position_m, double cell_m);
+
+/// Whether a depth is none (section 3, "Depth").
+[[nodiscard]] bool is_missing(float depth_m);
+
+/// Where a pixel stands in an image or in a table of directions.
+[[nodiscard]] std::size_t pixel_at(const Camera& camera, int u, int v);
+
+/// `dir(u, v)` of section 3, its third component 1.
+[[nodiscard]] Triple pixel_direction(const Camera& camera, int u, int v);
 
 /// Local map of one depth image (docs/model.md, sections 3 and 5). `pose` must be in range.
 [[nodiscard]] LocalMap image_local_map(const Camera& camera, const MapperOptions& options,

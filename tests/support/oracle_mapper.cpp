@@ -70,7 +70,7 @@ ImageResult OracleMapper::add_image(const DepthImage& image) {
     move_window(*pose);
     const LocalMap map = image_local_map(*camera_, options_, *pose, image.depth_m);
     result.missing = map.missing;
-    result.cells_changed = fuse(map.cells);
+    result.cells_changed = fuse(map.cells, View(*camera_, options_, *pose, image.depth_m));
     return result;
 }
 
@@ -86,7 +86,7 @@ ImageResult OracleMapper::add_scan(const Scan& scan) {
     const LocalMap map = scan_local_map(scan, options_, *pose, window_);
     result.missing = map.missing;
     result.dropped = map.dropped;
-    result.cells_changed = fuse(map.cells);
+    result.cells_changed = fuse(map.cells, {});
     return result;
 }
 
@@ -126,10 +126,22 @@ void OracleMapper::move_window(const Pose& pose) {
     }
 }
 
-std::uint64_t OracleMapper::fuse(const StatementMap& statements) {
+bool OracleMapper::spared(const CellIndex& cell, int value, const View& view) {
+    if (value < options_.threshold) {
+        return false;
+    }
+    const bool whole = view.holds_whole(cell);
+    ++(whole ? wholly_seen_ : partly_seen_);
+    return !whole;
+}
+
+std::uint64_t OracleMapper::fuse(const StatementMap& statements, const std::optional<View>& view) {
     std::uint64_t changed = 0;
     for (const auto& [cell, statement] : statements) {
         int& value = values_[cell];
+        if (statement == Statement::free && view && spared(cell, value, *view)) {
+            continue;
+        }
         const int delta = statement == Statement::occupied ? options_.hit : -options_.miss;
         const int fused = std::clamp(value + delta, -options_.limit, options_.limit);
         changed += fused != value ? 1 : 0;
@@ -144,6 +156,14 @@ const std::map<CellIndex, int>& OracleMapper::values() const {
 
 const CellSet& OracleMapper::remembered() const {
     return remembered_;
+}
+
+std::uint64_t OracleMapper::partly_seen() const {
+    return partly_seen_;
+}
+
+std::uint64_t OracleMapper::wholly_seen() const {
+    return wholly_seen_;
 }
 
 const Window& OracleMapper::window() const {

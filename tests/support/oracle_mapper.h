@@ -2,8 +2,10 @@
 
 #include "support/oracle_local_map.h"
 #include "support/oracle_objects.h"
+#include "support/oracle_view.h"
 #include "zonegrid/mapper.h"
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <vector>
@@ -32,11 +34,19 @@ public:
     [[nodiscard]] std::vector<ProfileColumn> height_profile(
         std::optional<double> cut_height_m = {}) const;
 
+    /// How often an image said free of an occupied cell that it saw only part of, so that the cell
+    /// kept its value, and how often of one that it saw whole; scans do not count.
+    [[nodiscard]] std::uint64_t partly_seen() const;
+    [[nodiscard]] std::uint64_t wholly_seen() const;
+
 private:
     /// Why an image at this time and pose is skipped, or `integrated`.
     ImageStatus admit(double time_s, const std::optional<Pose>& pose);
     void move_window(const Pose& pose);
-    std::uint64_t fuse(const StatementMap& statements);
+    /// The local map of an image with its view, of a scan without: a scan sees all of any cell.
+    std::uint64_t fuse(const StatementMap& statements, const std::optional<View>& view);
+    /// Whether what is free in an image must leave the cell's value as it is; counts either way.
+    bool spared(const CellIndex& cell, int value, const View& view);
 
     MapperOptions options_;
     std::optional<Camera> camera_;
@@ -47,6 +57,8 @@ private:
     Window window_;
     std::map<CellIndex, int> values_;
     CellSet remembered_;
+    std::uint64_t partly_seen_ = 0;
+    std::uint64_t wholly_seen_ = 0;
 };
 
 } // namespace zonegrid::oracle

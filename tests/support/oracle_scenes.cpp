@@ -201,4 +201,72 @@ std::vector<float> random_depths(Random& random, const Camera& camera, const Map
     return depths;
 }
 
+Camera seeing_camera(Random& random) {
+    Camera camera = random_camera(random);
+    while (std::min(camera.width_px, camera.height_px) < 3) {
+        camera = random_camera(random);
+    }
+    if (random.chance(0.5)) { // where the navigation is: exactly where a test puts it
+        camera.body_from_camera.translation().setZero();
+    }
+    return camera;
+}
+
+MapperOptions seeing_options(Random& random) {
+    MapperOptions options = random_options(random, 9.0);
+    options.hit = options.limit;
+    options.range_m =
+        options.cell_m * (random.chance(0.5) ? random.pick(6, 11) + 0.25 : random.real(6.0, 12.0));
+    return options;
+}
+
+Eigen::Vector3d seeing_position(Random& random, double cell_m, int most) {
+    const bool exact = random.chance(0.7);
+    const auto coordinate = [&]() -> double {
+        return exact ? random.pick(-8 * most, 8 * most) / 8.0 * cell_m
+                     : random.real(-1.0, 1.0) * most * cell_m;
+    };
+    const double x_m = coordinate();
+    const double y_m = coordinate();
+    return {x_m, y_m, coordinate()};
+}
+
+std::vector<Eigen::Vector3f> filling_ends(const MapperOptions& options) {
+    const int most = static_cast<int>(options.range_m / options.cell_m);
+    std::vector<Eigen::Vector3f> ends;
+    for (int x = -most; x < most; ++x) {
+        for (int y = -most; y < most; ++y) {
+            for (int z = -most; z < most; ++z) {
+                const Eigen::Vector3d end_m =
+                    Eigen::Vector3d{x + 0.5, y + 0.5, z + 0.5} * options.cell_m;
+                if (end_m.norm() < options.range_m) {
+                    ends.emplace_back(end_m.cast<float>());
+                }
+            }
+        }
+    }
+    return ends;
+}
+
+std::vector<float> framed_depths(Random& random, const Camera& camera,
+                                 const MapperOptions& options) {
+    const bool whole = random.chance(0.3);
+    const int first_u = whole ? 0 : random.pick(0, camera.width_px - 2);
+    const int last_u = whole ? camera.width_px - 1 : random.pick(first_u + 1, camera.width_px - 1);
+    const int first_v = whole ? 0 : random.pick(0, camera.height_px - 2);
+    const int last_v =
+        whole ? camera.height_px - 1 : random.pick(first_v + 1, camera.height_px - 1);
+    std::vector<float> depths;
+    for (int v = 0; v < camera.height_px; ++v) {
+        for (int u = 0; u < camera.width_px; ++u) {
+            const bool inside = u >= first_u && u <= last_u && v >= first_v && v <= last_v;
+            const float depth_m =
+                random.chance(0.8) ? sky : static_cast<float>(0.5 * options.range_m);
+            depths.push_back(inside && random.chance(0.9) ? depth_m
+                                                          : (random.chance(0.5) ? missing : 0.0F));
+        }
+    }
+    return depths;
+}
+
 } // namespace zonegrid::oracle

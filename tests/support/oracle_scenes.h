@@ -37,4 +37,23 @@ inline constexpr int picture_kinds = 8;
 [[nodiscard]] std::vector<float> random_depths(Random& random, const Camera& camera,
                                                const MapperOptions& options, Picture picture);
 
+/// A random camera of at least 3 x 3 pixels: one that sees some cells whole.
+[[nodiscard]] Camera seeing_camera(Random& random);
+
+/// Random options with which one hit makes an unknown cell occupied, and a range of 6 to 12 cells;
+/// half of them 1/4 cell more than whole: less the margin of 1/8 cell that is an odd number of
+/// eighths, whose square is a sum of three in many ways, so corners of cells are exactly there.
+[[nodiscard]] MapperOptions seeing_options(Random& random);
+
+/// Mostly multiples of 1/8 cell within +-`most` cells: from there, corners of cells are exactly at
+/// the borders of an upright camera's view, or 1/16 cell off.
+[[nodiscard]] Eigen::Vector3d seeing_position(Random& random, double cell_m, int most);
+
+/// Ends of a scan that says occupied all around its sensor, up to the range, cell by cell.
+[[nodiscard]] std::vector<Eigen::Vector3f> filling_ends(const MapperOptions& options);
+
+/// Free to the range or half of it in a box of pixels, but for some missing; all others missing.
+[[nodiscard]] std::vector<float> framed_depths(Random& random, const Camera& camera,
+                                               const MapperOptions& options);
+
 } // namespace zonegrid::oracle
