@@ -41,6 +41,10 @@ std::string read_report(const fs::path& file, JudgedMap& map) {
         recording.at("frames").get_to(map.frames);
         recording.at("first_frame_s").get_to(map.first_time_s);
         recording.at("last_frame_s").get_to(map.last_time_s);
+        const auto truth = recording.find("truth_digest");
+        if (truth != recording.end() && !truth->is_null()) {
+            map.truth_digest = truth->get<std::string>();
+        }
         const auto& parameters = report.at("parameters");
         parameters.at("cell_m").get_to(map.cell_m);
         parameters.at("range_m").get_to(map.range_m);
@@ -162,6 +166,31 @@ void read_history(const fs::path& file, const StoredCells& cells, JudgedMap& map
     map.has_history = true;
 }
 
+/// Times and numbers of images are alike where a scene is flown again: the digest is not.
+void require_digest_of_truth(const JudgedMap& map, const fs::path& truth_folder) {
+    constexpr std::size_t shown = 12;
+    const std::string report = (fs::path(map.folder) / report_name).string();
+    if (!map.truth_digest) {
+        throw InputError(report,
+                         "recording.truth_digest is missing: nothing says which truth is that of "
+                         "the map's recording",
+                         fmt::format("map {} again; simulate it again before if its "
+                                     "description.toml has no truth.digest",
+                                     map.recording));
+    }
+    const std::string digest = digest_of_truth(truth_folder);
+    if (digest != *map.truth_digest) {
+        throw InputError(
+            truth_folder.string(),
+            fmt::format("its files' digest is {}..., but recording.truth_digest in {} is {}...: "
+                        "this is the truth of another flight, or was changed",
+                        digest.substr(0, shown), report, map.truth_digest->substr(0, shown)),
+            fmt::format("name the truth of {}, which was mapped, or map it again if it was "
+                        "simulated again since",
+                        map.recording));
+    }
+}
+
 } // namespace
 
 JudgedMap read_judged_map(const fs::path& folder) {
@@ -187,9 +216,10 @@ JudgedMap read_judged_map(const fs::path& folder) {
     return map;
 }
 
-void require_same_recording(const JudgedMap& map, const Truth& truth, const std::string& truth_at) {
+void require_same_recording(const JudgedMap& map, const Truth& truth,
+                            const fs::path& truth_folder) {
     const auto fail = [&](const std::string& problem) {
-        throw InputError(truth_at, problem,
+        throw InputError(truth_folder.string(), problem,
                          fmt::format("name the truth of {}, which was mapped", map.recording));
     };
     if (truth.images.size() != map.frames) {
@@ -207,6 +237,7 @@ void require_same_recording(const JudgedMap& map, const Truth& truth, const std:
                         "from {:.3f} to {:.3f} s",
                         first_s, last_s, map.first_time_s, map.last_time_s));
     }
+    require_digest_of_truth(map, truth_folder);
 }
 
 } // namespace zonegrid

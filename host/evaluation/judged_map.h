@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ struct OnceOccupiedCell {
 struct JudgedMap {
     std::string folder;
     std::string recording; ///< path, as the map's report gives it
+    /// Of the recording's truth, as the recording states it.
+    std::optional<std::string> truth_digest;
     double cell_m = 1.0;
     double range_m = 40.0;
     std::string model;
@@ -64,8 +67,10 @@ struct JudgedMap {
 /// not belong together.
 [[nodiscard]] JudgedMap read_judged_map(const std::filesystem::path& folder);
 
-/// Throws InputError unless the map can be of the recording that the truth belongs to: as many
-/// images, none stated before its true time nor later than time stamps may be.
-void require_same_recording(const JudgedMap& map, const Truth& truth, const std::string& truth_at);
+/// Throws InputError unless the map is of a recording that the truth in `truth_folder` belongs to:
+/// as many images, none stated before its true time nor later than time stamps may be, and the
+/// digest that the recording states.
+void require_same_recording(const JudgedMap& map, const Truth& truth,
+                            const std::filesystem::path& truth_folder);
 
 } // namespace zonegrid

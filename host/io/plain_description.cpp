@@ -1,8 +1,10 @@
 #include "io/plain_description.h"
 
 #include "io/description_table.h"
+#include "io/hexadecimal.h"
 #include "io/plain_camera.h"
 #include "io/pose_conversion.h"
+#include "io/sha256.h"
 #include "io/text_list.h"
 #include "zonegrid/errors.h"
 
@@ -140,6 +142,21 @@ void read_world(DescriptionTable& root, PlainDescription& description) {
     table->require_all_read();
 }
 
+void read_truth_digest(DescriptionTable& root, PlainDescription& description) {
+    std::optional<DescriptionTable> table = root.table("truth");
+    if (!table) {
+        return;
+    }
+    const std::string digest = table->needed_text("digest");
+    const auto bytes = from_hexadecimal(digest);
+    if (!bytes || bytes->size() != Sha256::size_bytes) {
+        table->refuse("digest", fmt::format("is '{}'", digest),
+                      "give the 64 lower-case hexadecimal digits of a SHA-256");
+    }
+    description.truth_digest = digest;
+    table->require_all_read();
+}
+
 } // namespace
 
 Eigen::Matrix3d mounted_rotation(double roll_deg, double pitch_deg, double yaw_deg,
@@ -172,6 +189,7 @@ PlainDescription read_plain_description(const std::filesystem::path& file) {
         description.body_from_sensor = read_mounting(root, body_from_forward_left_up());
     }
     read_world(root, description);
+    read_truth_digest(root, description);
     root.require_all_read();
     return description;
 }

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace zonegrid {
 
@@ -16,6 +17,7 @@ struct PlainDescription {
     bool depth_scale_given = false; ///< PNG depth needs it
     WorldAxes world_axes = WorldAxes::north_east_down;
     std::optional<GeoOrigin> origin;
+    std::optional<std::string> truth_digest; ///< 64 lower-case hexadecimal digits
 };
 
 /// Reads and checks a description; docs/formats.md lists its keys.

@@ -88,6 +88,7 @@ std::unique_ptr<Recording> open_plain_recording(const std::filesystem::path& fol
     contents.camera = std::move(description.camera);
     contents.body_from_sensor = description.body_from_sensor;
     contents.origin = description.origin;
+    contents.truth_digest = std::move(description.truth_digest);
     contents.navigation = read_navigation_csv(folder / "navigation.csv", axes);
     contents.frames = read_frames(folder, contents.warnings);
     contents.notes.push_back(fmt::format("World: {}.", name_of(axes)));

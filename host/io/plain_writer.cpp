@@ -92,6 +92,9 @@ void write_plain_description(const std::filesystem::path& file, const PlainSenso
         "\n[mounting]\nposition_m = [{}]\nroll_deg = {}\npitch_deg = {}\nyaw_deg = {}\n",
         list_text(sensor.mounting.position_m), number_text(angles_deg.x()),
         number_text(angles_deg.y()), number_text(angles_deg.z()));
+    if (sensor.truth_digest) {
+        text += fmt::format("\n[truth]\ndigest = \"{}\"\n", *sensor.truth_digest);
+    }
     write_text(file, text);
 }
 

@@ -37,6 +37,8 @@ struct PlainSensor {
     std::optional<DepthCoding> coding; ///< absent: the defaults
     std::string table;                 ///< file of the camera's directions, if it has them
     std::vector<std::string> comments; ///< lines at the top
+    /// Of a simulated flight.
+    std::optional<std::string> truth_digest{};
 };
 
 // The files of a plain recording (docs/formats.md); what is read back is the same, bit for bit.

@@ -50,6 +50,7 @@ struct RecordingContents {
     std::vector<NavigationSample> navigation;
     std::vector<FrameEntry> frames;
     std::optional<GeoOrigin> origin;
+    std::optional<std::string> truth_digest;
     std::vector<RecordingWarning> warnings;
     std::vector<std::string> notes;
 };
@@ -76,6 +77,11 @@ public:
     }
     [[nodiscard]] const std::vector<FrameEntry>& frames() const { return contents_.frames; }
     [[nodiscard]] const std::optional<GeoOrigin>& origin() const { return contents_.origin; }
+    /// Of a simulated recording: the digest of its truth (docs/formats.md), as the recording states
+    /// it.
+    [[nodiscard]] const std::optional<std::string>& truth_digest() const {
+        return contents_.truth_digest;
+    }
     [[nodiscard]] const std::vector<RecordingWarning>& warnings() const {
         return contents_.warnings;
     }

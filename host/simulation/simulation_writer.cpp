@@ -158,7 +158,9 @@ void write_simulation(const std::filesystem::path& folder, const Scene& scene,
     const StereoSensor sensor(scene.camera, scene.texture, options.sensor, options.seed);
     make_folder(folder / "truth");
     write_truth(folder / "truth", flight.truth);
-    write_plain_description(folder / "description.toml", description_of(scene, options, sensor));
+    PlainSensor description = description_of(scene, options, sensor);
+    description.truth_digest = digest_of_truth(folder / "truth");
+    write_plain_description(folder / "description.toml", description);
     write_navigation_csv(folder / "navigation.csv", flight.navigation);
     write_frames_csv(folder / "frames.csv", frames_of(flight));
     make_folder(folder / "depth");

@@ -2,6 +2,7 @@
 
 #include "io/file_bytes.h"
 #include "io/output_file.h"
+#include "io/sha256.h"
 #include "truth/surfaces_ply.h"
 #include "truth/truth_tables.h"
 #include "zonegrid/errors.h"
@@ -223,6 +224,20 @@ Truth read_truth(const std::filesystem::path& folder) {
     require_lines(folder / "motions.csv", read.motion_poses, counts.motion_poses);
     require_motions(folder, truth);
     return truth;
+}
+
+std::string digest_of_truth(const std::filesystem::path& folder) {
+    Sha256 digest;
+    for (const char* name :
+         {"truth.json", "surfaces.ply", "navigation.csv", "images.csv", "motions.csv"}) {
+        std::error_code error;
+        // Tables without lines are left out. No other truth has the same bytes in a row:
+        // truth.json and the header of surfaces.ply say how much of each follows.
+        if (std::filesystem::exists(folder / name, error)) {
+            digest.add(read_file_bytes(folder / name));
+        }
+    }
+    return digest.finish_hex();
 }
 
 } // namespace zonegrid

@@ -56,4 +56,9 @@ void write_truth(const std::filesystem::path& folder, const Truth& truth);
 /// Reads what `write_truth` wrote. Throws InputError naming file, line or key, and the remedy.
 [[nodiscard]] Truth read_truth(const std::filesystem::path& folder);
 
+/// What tells one truth from every other: the SHA-256 of its files' bytes, as docs/formats.md
+/// defines it, in hexadecimal. A simulated recording states that of its own truth, and so do maps
+/// of it. Throws InputError if a file cannot be read.
+[[nodiscard]] std::string digest_of_truth(const std::filesystem::path& folder);
+
 } // namespace zonegrid

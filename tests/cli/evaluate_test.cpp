@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <fstream>
 #include <string>
 
 namespace zonegrid::testing {
@@ -37,6 +38,8 @@ protected:
         std::filesystem::create_directories(path(name) / "truth");
         write_flight(path(name), GeneratedFlight(std::move(plan)));
         write_truth(path(name) / "truth", truth);
+        std::ofstream(path(name) / "description.toml", std::ios::app)
+            << fmt::format("[truth]\ndigest = \"{}\"\n", digest_of_truth(path(name) / "truth"));
     }
 
 private:
@@ -180,6 +183,33 @@ TEST_F(EvaluateTest, RefusesTheTruthOfAnotherRecording) {
               0); // stamps may be late, never early
     EXPECT_THAT(run("zonegrid evaluate map --truth recording/truth").errors,
                 one_line_with("recording/truth", "from 100.000", "99.900"));
+}
+
+TEST_F(EvaluateTest, RefusesTheTruthOfAnotherFlightWithAsManyImagesAtTheSameTimes) {
+    ASSERT_EQ(run(std::string(map_line) + "--history --frames 2:9").exit_code, 0);
+    EXPECT_EQ(run("zonegrid evaluate map --truth recording/truth --quiet").errors, "");
+    write_flight_of("other", images, 8);
+    const auto stated = digest_of_truth(path("recording/truth")).substr(0, 12);
+    const auto others = digest_of_truth(path("other/truth")).substr(0, 12);
+    const CommandResult result = run("zonegrid evaluate map --truth other/truth -o judged");
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.errors,
+                one_line_with("other/truth", others, "recording.truth_digest in map/report.json",
+                              stated, "name the truth of", "recording"));
+    EXPECT_FALSE(exists("judged"));
+}
+
+TEST_F(EvaluateTest, RefusesMapsOfRecordingsThatDoNotStateTheirTruth) {
+    ASSERT_EQ(run("sed -i '/truth/d;/digest/d' recording/description.toml").exit_code, 0);
+    ASSERT_EQ(run(std::string(map_line) + "--history").errors, "");
+    EXPECT_TRUE(read_json("map/report.json")["recording"].at("truth_digest").is_null());
+    const std::string line = "zonegrid evaluate map --truth recording/truth";
+    const auto refusal =
+        one_line_with("map/report.json", "recording.truth_digest is missing", "simulate it again");
+    EXPECT_EQ(run(line).exit_code, 1);
+    EXPECT_THAT(run(line).errors, refusal);
+    ASSERT_EQ(run("sed -i '/truth_digest/d' map/report.json").exit_code, 0); // an older version's
+    EXPECT_THAT(run(line).errors, refusal);
 }
 
 TEST_F(EvaluateTest, TakesMapsWhoseTimeStampsAreLate) {

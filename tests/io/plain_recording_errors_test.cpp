@@ -88,6 +88,13 @@ TEST(PlainDescription, RefusesBadKeysAndNamesThem) {
         {camera + depth + "[world]\nlatitude_deg = 1\n", ".toml:11", "longitude_deg is missing"},
         {camera + depth + "[world]\nlatitude_deg = 91\nlongitude_deg = 0\naltitude_m = 0\n",
          ".toml:12", "world.latitude_deg is 91"},
+        {camera + depth + "[truth]\n", ".toml:11", "truth.digest is missing"},
+        {camera + depth + "[truth]\ndigest = \"" + std::string(63, 'a') + "\"\n", ".toml:12",
+         "truth.digest is 'aaa"},
+        {camera + depth + "[truth]\ndigest = \"" + std::string(64, 'A') + "\"\n", ".toml:12",
+         "lower-case"},
+        {camera + depth + "[truth]\nseed = 1\ndigest = \"" + std::string(64, 'a') + "\"\n",
+         ".toml:12", "truth.seed is unknown"},
         {"camera = 3\n", ".toml:1", "camera is a value"},
     };
     for (const BadDescription& bad : cases) {

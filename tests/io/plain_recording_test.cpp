@@ -68,6 +68,7 @@ TEST(PlainRecording, ReadsImagesOfAllFormats) {
     EXPECT_FLOAT_EQ(recording->read_frame(2).depth_m[0], 0.004F);
     EXPECT_EQ(recording->camera()->fy_px, 2.5);
     EXPECT_FALSE(recording->camera()->stereo.has_value());
+    EXPECT_FALSE(recording->truth_digest().has_value()); // nobody knows a real flight's
     EXPECT_TRUE(recording->camera()->body_from_camera.isApprox(
         Eigen::Isometry3d(body_from_forward_camera()), 1e-12));
 }

@@ -27,6 +27,7 @@ TEST(PlainWriter, GivesMountingsThatAreReadAsTheyAre) {
         sensor.mounting = mounting_of(camera.body_from_camera);
         sensor.coding = DepthCoding{512.0, DepthKind::ray, {0.0F, 3.0F}, {65535.0F}};
         sensor.comments = {"made by a test", "of two\nlines"}; // which would not be TOML
+        sensor.truth_digest = std::string(64, 'a');
         write_plain_description(folder.path() / "description.toml", sensor);
         const PlainDescription read = read_plain_description(folder.path() / "description.toml");
         EXPECT_LT((read.camera->body_from_camera.linear() - camera.body_from_camera.linear())
@@ -41,6 +42,7 @@ TEST(PlainWriter, GivesMountingsThatAreReadAsTheyAre) {
         EXPECT_EQ(read.coding.kind, DepthKind::ray);
         EXPECT_EQ(read.coding.missing, sensor.coding->missing);
         EXPECT_EQ(read.coding.infinite, sensor.coding->infinite);
+        EXPECT_EQ(read.truth_digest, sensor.truth_digest);
         EXPECT_TRUE(folder.bytes("description.toml")
                         .starts_with("# made by a test\n# of two lines\n[camera]\n"));
     }

@@ -112,6 +112,7 @@ TEST(Simulation, MakesARecordingAndItsTruth) {
     EXPECT_NEAR(static_cast<double>(recording->navigation().size()), 200.0, 1.0);
     ASSERT_EQ(truth.images.size(), recording->frames().size());
     ASSERT_EQ(truth.navigation.size(), recording->navigation().size());
+    EXPECT_EQ(recording->truth_digest(), digest_of_truth(simulated.path() / "truth"));
     EXPECT_EQ(truth.scene, "wall");
     EXPECT_EQ(truth.camera.stereo->baseline_m, 1.0);
     for (std::size_t i = 0; i < truth.navigation.size(); ++i) {
@@ -201,6 +202,24 @@ TEST(Simulation, ChangesWithAFaultWhatBelongsToIt) {
     EXPECT_THAT(changed([](Options& o) { o.transfer.lost_images = 0.3; }),
                 ElementsAre("depth", "description.toml", "frames.csv", "truth/images.csv",
                             "truth/truth.json"));
+}
+
+TEST(Simulation, StatesAnotherTruthWhereverTheTruthIsAnother) {
+    const auto stated = [](const SimulationOptions& options, const Scene& scene = wall_scene()) {
+        return open(Simulated(options, scene))->truth_digest();
+    };
+    SimulationOptions options;
+    const auto exact = stated(options);
+    options.sensor.disparity_sigma_px = 0.2; // other images of the same things from the same places
+    EXPECT_EQ(stated(options), exact);
+    options.sensor.vibration_deg = 0.2;
+    EXPECT_NE(stated(options), exact);
+    options = {};
+    options.seed = 2;
+    EXPECT_NE(stated(options), exact);
+    Scene edited = wall_scene(); // under the same name, flown at the same times
+    edited.surfaces.vertices_m[2].z() = -9.0F;
+    EXPECT_NE(stated(SimulationOptions{}, edited), exact);
 }
 
 TEST(Simulation, ShakesTheCameraButNotTheNavigation) {

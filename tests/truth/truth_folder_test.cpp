@@ -1,5 +1,7 @@
 #include "truth/truth_folder.h"
 
+#include "io/recording.h"
+#include "io/sha256.h"
 #include "support/temporary_folder.h"
 #include "truth/surfaces_ply.h"
 #include "zonegrid/errors.h"
@@ -282,6 +284,33 @@ TEST(TruthFolder, IsRefusedIfItsFilesContradictEachOtherOrThemselves) {
         EXPECT_THAT(refusal(folder.path()), ::testing::HasSubstr(damage.message))
             << damage.from << " -> " << damage.to;
     }
+}
+
+TEST(TruthFolder, HasADigestOfEveryByte) {
+    const TemporaryFolder folder;
+    write_truth(folder.path(), example_truth());
+    const std::string digest = digest_of_truth(folder.path());
+    Sha256 all;
+    for (const char* name :
+         {"truth.json", "surfaces.ply", "navigation.csv", "images.csv", "motions.csv"}) {
+        const fs::path file = folder.path() / name;
+        std::string text = text_of(file);
+        all.add(text);
+        ++text.back();
+        write_text(file, text);
+        EXPECT_NE(digest_of_truth(folder.path()), digest) << name;
+        --text.back();
+        write_text(file, text);
+    }
+    EXPECT_EQ(digest, all.finish_hex());
+    EXPECT_EQ(digest_of_truth(folder.path()), digest);
+    fs::remove(folder.path() / "motions.csv");
+    EXPECT_NE(digest_of_truth(folder.path()), digest);
+}
+
+TEST(TruthFolder, OfTheShippedSlalomIsTheOneThatItsRecordingStates) {
+    const fs::path slalom = fs::path(ZONEGRID_SOURCE_DIR) / "data" / "slalom";
+    EXPECT_EQ(open_recording(slalom)->truth_digest(), digest_of_truth(slalom / "truth"));
 }
 
 TEST(TruthFolder, IsNotWrittenIfItCouldNotBeRead) {

@@ -47,6 +47,9 @@ nlohmann::ordered_json report_of(const Recording& recording, const Arguments& ar
                            {"frames", recording.frames().size()},
                            {"first_frame_s", recording.frames().front().time_s},
                            {"last_frame_s", recording.frames().back().time_s}};
+    if (const auto& truth = recording.truth_digest()) {
+        report["recording"]["truth_digest"] = *truth;
+    }
     report["parameters"] = {
         {"cell_m", arguments.options.cell_m},
         {"range_m", arguments.options.range_m},

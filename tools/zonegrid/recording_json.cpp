@@ -37,6 +37,8 @@ Json recording_json(const Recording& recording) {
                           {"longitude_deg", origin->longitude_deg},
                           {"altitude_m", origin->altitude_m}};
     }
+    const auto& truth = recording.truth_digest();
+    json["truth_digest"] = truth ? Json(*truth) : Json(nullptr);
     json["warnings"] = Json::array();
     for (const RecordingWarning& warning : recording.warnings()) {
         json["warnings"].push_back({{"where", warning.where}, {"problem", warning.problem}});
