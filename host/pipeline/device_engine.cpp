@@ -272,11 +272,11 @@ void DeviceEngine::track_in(ops::DeviceGrid::Chunk& chunk, std::span<const ZoneI
                  std::move(octrees[piece]),
                  std::move(prisms[piece])});
         }
-        auto layer = layers.begin() + static_cast<std::ptrdiff_t>(6 * layer_cells * i);
+        auto numbers = std::span(layers).subspan(6 * layer_cells * i);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            for (auto* target : {&summary.first_layer[axis], &summary.last_layer[axis]}) {
-                target->assign(layer, layer + static_cast<std::ptrdiff_t>(layer_cells));
-                layer += static_cast<std::ptrdiff_t>(layer_cells);
+            for (auto* layer : {&summary.first_layer[axis], &summary.last_layer[axis]}) {
+                *layer = border_layer(numbers.first(layer_cells));
+                numbers = numbers.subspan(layer_cells);
             }
         }
         tracker_.set_zone(zones[i], std::move(summary));

@@ -41,7 +41,35 @@ CellIndex greatest_of(const CellIndex& a, const CellIndex& b) {
     return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
 
+/// Calls `visit(piece, next_piece)` for each pair of cells that share a face, one in either layer.
+template <class Visit>
+void for_each_contact(const BorderLayer& layer, const BorderLayer& next_layer, Visit&& visit) {
+    auto cell = layer.begin();
+    auto next = next_layer.begin();
+    while (cell != layer.end() && next != next_layer.end()) {
+        if (cell->place == next->place) {
+            visit((cell++)->piece, (next++)->piece);
+        } else if (cell->place < next->place) {
+            ++cell;
+        } else {
+            ++next;
+        }
+    }
+}
+
 } // namespace
+
+BorderLayer border_layer(std::span<const std::uint16_t> numbers) {
+    BorderLayer layer;
+    layer.reserve(numbers.size() -
+                  static_cast<std::size_t>(std::ranges::count(numbers, std::uint16_t{0})));
+    for (std::size_t place = 0; place < numbers.size(); ++place) {
+        if (numbers[place] != 0) {
+            layer.push_back({static_cast<std::uint16_t>(place), numbers[place]});
+        }
+    }
+    return layer;
+}
 
 void PieceTracker::set_zone(const ZoneIndex& zone, ZoneSummary summary) {
     outdated_ = true;
@@ -82,17 +110,16 @@ std::vector<std::vector<PieceTracker::Member>> PieceTracker::components() const 
             if (next == zones_.end()) {
                 continue;
             }
-            const auto& layer = summary.last_layer[axis];
-            const auto& next_layer = next->second.first_layer[axis];
             std::pair<std::uint16_t, std::uint16_t> joined{0, 0};
-            for (std::size_t i = 0; i < layer.size(); ++i) {
-                const std::pair both{layer[i], next_layer[i]};
-                if (both.first != 0 && both.second != 0 && both != joined) {
-                    sets.join(first_piece.at(zone) + both.first - 1,
-                              first_piece.at(next->first) + both.second - 1);
-                    joined = both;
-                }
-            }
+            for_each_contact(summary.last_layer[axis], next->second.first_layer[axis],
+                             [&](std::uint16_t piece, std::uint16_t next_piece) {
+                                 const std::pair both{piece, next_piece};
+                                 if (both != joined) {
+                                     sets.join(first_piece.at(zone) + piece - 1,
+                                               first_piece.at(next->first) + next_piece - 1);
+                                     joined = both;
+                                 }
+                             });
         }
     }
     std::map<std::size_t, std::vector<Member>> by_root;

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "model/border_layer.h"
 #include "model/lattice.h"
 #include "zonegrid/objects.h"
 
 #include <array>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <vector>
 
 namespace zonegrid {
@@ -14,13 +16,16 @@ namespace zonegrid {
 /// trees have the zone as root.
 using PieceSummary = Object;
 
-/// The pieces of one zone. Layers as in ops::LabelComponents: piece numbers from 1 on, 0 for cells
-/// that are not occupied.
+/// The pieces of one zone.
 struct ZoneSummary {
     std::vector<PieceSummary> pieces;
-    std::array<std::vector<std::uint16_t>, 3> first_layer;
-    std::array<std::vector<std::uint16_t>, 3> last_layer;
+    std::array<BorderLayer, 3> first_layer; ///< by axis
+    std::array<BorderLayer, 3> last_layer;
 };
+
+/// From a layer of ops::LabelComponents: piece numbers from 1 on, 0 for cells that are not
+/// occupied.
+[[nodiscard]] BorderLayer border_layer(std::span<const std::uint16_t> numbers);
 
 /// Objects over all zones with occupied cells, from what a device tells of each zone: joins pieces
 /// by union-find, adds up their numbers and unites their trees. Sees no cell.

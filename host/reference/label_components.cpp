@@ -60,14 +60,15 @@ Piece flood(ZoneBits& left, std::uint32_t seed, std::uint32_t edge) {
 void enter_layers(const Piece& piece, std::uint16_t label, std::uint32_t edge, ZonePieces& zone) {
     for (const std::uint32_t index : piece) {
         const auto [x, y, z] = coordinates_in_zone(index, edge);
-        const std::uint32_t place[3] = {z * edge + y, z * edge + x, y * edge + x};
+        const std::uint32_t places[3] = {z * edge + y, z * edge + x, y * edge + x};
         const std::uint32_t depth[3] = {x, y, z};
         for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto place = static_cast<std::uint16_t>(places[axis]);
             if (depth[axis] == 0) {
-                zone.first_layer[axis][place[axis]] = label;
+                zone.first_layer[axis].push_back({place, label});
             }
             if (depth[axis] == edge - 1) {
-                zone.last_layer[axis][place[axis]] = label;
+                zone.last_layer[axis].push_back({place, label});
             }
         }
     }
@@ -107,17 +108,24 @@ public:
 
 private:
     /// Links the pieces of two zones that share a face: a layer on either side of it.
-    void link(std::size_t first, const std::vector<std::uint16_t>& layer, std::size_t next_first,
-              const std::vector<std::uint16_t>& next_layer) {
+    void link(std::size_t first, const BorderLayer& layer, std::size_t next_first,
+              const BorderLayer& next_layer) {
         std::uint32_t last = 0;
-        for (std::size_t i = 0; i < layer.size(); ++i) {
-            const std::uint32_t both = std::uint32_t{layer[i]} << 16U | next_layer[i];
-            if (layer[i] == 0 || next_layer[i] == 0 || both == last) {
+        auto next = next_layer.begin();
+        for (const auto& [place, piece] : layer) {
+            while (next != next_layer.end() && next->place < place) {
+                ++next;
+            }
+            if (next == next_layer.end()) {
+                return;
+            }
+            const std::uint32_t both = std::uint32_t{piece} << 16U | next->piece;
+            if (next->place != place || both == last) {
                 continue;
             }
             last = both; // most often the same two pieces touch along the whole face
-            const std::size_t a = first + layer[i] - 1;
-            const std::size_t b = next_first + next_layer[i] - 1;
+            const std::size_t a = first + piece - 1;
+            const std::size_t b = next_first + next->piece - 1;
             touching_[a].push_back(b);
             touching_[b].push_back(a);
         }
@@ -133,10 +141,6 @@ private:
 ZonePieces label_zone(const ZoneBits& occupied, std::int32_t zone_edge) {
     const auto edge = static_cast<std::uint32_t>(zone_edge);
     ZonePieces zone;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        zone.first_layer[axis].assign(std::size_t{edge} * edge, 0);
-        zone.last_layer[axis].assign(std::size_t{edge} * edge, 0);
-    }
     ZoneBits left = occupied;
     occupied.for_each([&](std::uint32_t index) {
         if (left.test(index)) {
@@ -145,6 +149,12 @@ ZonePieces label_zone(const ZoneBits& occupied, std::int32_t zone_edge) {
                          zone);
         }
     });
+    for (auto* layers : {&zone.first_layer, &zone.last_layer}) {
+        for (auto& layer : *layers) {
+            std::ranges::sort(layer);
+            layer.shrink_to_fit();
+        }
+    }
     return zone;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/border_layer.h"
 #include "model/lattice.h"
 #include "model/zone_bits.h"
 
@@ -17,10 +18,8 @@ using Piece = std::vector<std::uint16_t>;
 /// The pieces of one zone.
 struct ZonePieces {
     std::vector<Piece> pieces;
-    /// For each axis the zone's last layer of cells and its first one: which piece (1-based, 0:
-    /// none) each cell belongs to. A layer is ordered by the two other axes, the lesser first.
-    std::array<std::vector<std::uint16_t>, 3> first_layer;
-    std::array<std::vector<std::uint16_t>, 3> last_layer;
+    std::array<BorderLayer, 3> first_layer; ///< by axis
+    std::array<BorderLayer, 3> last_layer;
 };
 
 /// Which piece of which zone.
