@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -71,6 +72,28 @@ struct Coverage {
     std::uint64_t partly_seen = 0; ///< obstacles stated free and not seen whole
 };
 
+/// Half of space, from a centre in a cube of cells, where corners of cells lie just on the bounds:
+/// in front by the margin of 3, or at the distance that the radius allows.
+View exact_view(oracle::Random& random, std::int32_t window_cells) {
+    View view;
+    view.bounded = true;
+    std::array<std::int32_t, 3> normal{};
+    normal[static_cast<std::size_t>(random.pick(0, 2))] = random.chance(0.5) ? 16384 : -16384;
+    view.sides.fill({normal[0], normal[1], normal[2]});
+    const auto place = [&](std::int32_t beyond) {
+        return ZG_VIEW_PER_CELL * random.pick(0, window_cells - 1) + beyond;
+    };
+    if (random.chance(0.5)) {
+        view.centre = {place(0), place(0), place(0)};
+        view.radius = 3 + ZG_VIEW_PER_CELL * 7; // 7 cells are 2, 3 and 6 on the axes
+    } else {
+        const std::int32_t beyond = random.chance(0.5) ? 13 : 3;
+        view.centre = {place(beyond), place(beyond), place(beyond)};
+        view.radius = 2 * ZG_VIEW_PER_CELL * window_cells;
+    }
+    return view;
+}
+
 /// A view from in or near a cube of cells: every side is its own, or as of a camera.
 View random_view(oracle::Random& random, std::int32_t window_cells) {
     View view;
@@ -122,7 +145,9 @@ public:
         LocalMap local_map(window_);
         const auto pairs = make_image(local_map, coverage);
         const auto before = copy_values();
-        const View view = random_view(random_, window_.edge_cells());
+        const auto edge_cells = window_.edge_cells();
+        const View view = random_.chance(0.3) ? exact_view(random_, edge_cells)
+                                              : random_view(random_, edge_cells);
         const auto result = reference::fuse_local_map(local_map, view, rule_, grid_);
         count_denials(local_map, before, coverage);
         fuse_.dispatch({local_planes_, grid_cells_, occupied_planes_}, view, pairs);
@@ -323,12 +348,12 @@ TEST_P(FuseLocalMapOn, EqualsTheReference) {
                 SCOPED_TRACE("zones of " + std::to_string(zone_edge) + ", groups of " +
                              std::to_string(group_items) + ", seed " + std::to_string(seed));
                 FusionPair fusion(*device, zone_edge, group_items, seed++);
-                for (int image = 0; image < 4; ++image) {
+                for (int image = 0; image < 6; ++image) {
                     fusion.fuse_and_compare(coverage);
                 }
             }
         }
-        EXPECT_EQ(coverage.zones, 324U);
+        EXPECT_EQ(coverage.zones, 486U);
         EXPECT_GT(coverage.said_nothing, 1000U);
         EXPECT_GT(coverage.said_free, 1000U);
         EXPECT_GT(coverage.said_occupied, 1000U);
