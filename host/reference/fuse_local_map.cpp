@@ -67,24 +67,36 @@ bool sees_whole(const View& view, const CellIndex& cell) {
     return true;
 }
 
-/// Takes back what is said against obstacles of whose cells the view holds only a part. `first`: of
-/// the zone's cells, relative to the window's first.
-void keep_partly_seen(const View& view, const CellIndex& first, std::int32_t zone_edge,
+/// Whether a run of cells has an obstacle that is stated free. That is rare, and to look for one
+/// the compiler takes many cells at once if all is in bytes.
+bool denies(std::span<const std::uint8_t> statements, std::span<const std::int8_t> values,
+            std::int8_t threshold) {
+    std::uint8_t any = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const auto free = static_cast<std::uint8_t>(statements[i] == ZG_STATEMENT_FREE ? 1 : 0);
+        const auto occupied = static_cast<std::uint8_t>(values[i] >= threshold ? 1 : 0);
+        any |= static_cast<std::uint8_t>(free & occupied);
+    }
+    return any != 0;
+}
+
+/// Takes back what is said against obstacles of whose cells the view holds only a part.
+void keep_partly_seen(const View& view, const CellIndex& first_of_zone, std::int32_t zone_edge,
                       std::int32_t threshold, std::span<const std::int8_t> values,
                       std::span<std::uint8_t> statements) {
-    const auto denied = [&](std::size_t i) {
-        return statements[i] == ZG_STATEMENT_FREE && values[i] >= threshold;
-    };
     for (std::size_t run = 0; run < values.size(); run += run_cells) {
-        // Obstacles are denied rarely, and to look for one the compiler takes many cells at once.
-        bool any_denied = false;
-        for (std::size_t i = run; i < run + run_cells; ++i) {
-            any_denied |= denied(i);
+        if (!denies(statements.subspan(run, run_cells), values.subspan(run, run_cells),
+                    static_cast<std::int8_t>(threshold))) {
+            continue;
         }
-        for (std::size_t i = run; any_denied && i < run + run_cells; ++i) {
+        for (std::size_t i = run; i < run + run_cells; ++i) {
+            if (statements[i] != ZG_STATEMENT_FREE || values[i] < threshold) {
+                continue;
+            }
             const CellIndex in_zone = cell_at({}, static_cast<std::uint32_t>(i), zone_edge);
-            if (denied(i) && !sees_whole(view, {first.x + in_zone.x, first.y + in_zone.y,
-                                                first.z + in_zone.z})) {
+            const CellIndex cell{first_of_zone.x + in_zone.x, first_of_zone.y + in_zone.y,
+                                 first_of_zone.z + in_zone.z};
+            if (!sees_whole(view, cell)) {
                 statements[i] = ZG_STATEMENT_NOTHING;
             }
         }
