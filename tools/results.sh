@@ -7,9 +7,9 @@ usage() {
 usage: tools/results.sh [--jobs N] BUILD DIR [TABLE...]
 Simulates the flights of docs/results.md with BUILD/zonegrid, maps them in every way that its tables
 compare, judges the maps, and writes each table to DIR/TABLE.md. What is in DIR already is not made again.
-Tables: cells faults fusion navigation screen octomap (needs BUILD/zonegrid-octomap) wires scenes.
+Tables: cells faults fusion navigation screen wires scenes, and rates octomap (these need BUILD/zonegrid-octomap).
   --jobs N    how many maps at a time (default: 2)
-Images come at 10 Hz. All tables take about an hour on two cores.
+Images come at 10 Hz, those of fusion and rates at 30, too. All tables take about two hours on two cores.
 END
 }
 
@@ -25,7 +25,7 @@ fi
 build="$1" out="$2"
 shift 2
 tables=("$@")
-[[ $# -gt 0 ]] || tables=(cells faults fusion navigation screen octomap wires scenes)
+[[ $# -gt 0 ]] || tables=(cells faults fusion navigation screen wires scenes rates octomap)
 for tool in "$build/zonegrid" jq; do
     command -v "$tool" >/dev/null || {
         echo "results: $tool is missing; build zonegrid, and install jq" >&2
@@ -35,11 +35,11 @@ done
 scenes="$(dirname "${BASH_SOURCE[0]}")/../scenes"
 mkdir -p "$out"
 
-# simulated NAME SCENE OPTION...: the recording NAME, made unless it is there.
+# simulated NAME SCENE OPTION...: the recording NAME, of $rate or 10 images a second, made unless it is there.
 simulated() {
     [[ -d "$out/recordings/$1" ]] || {
         mkdir -p "$out/recordings"
-        "$build/zonegrid" simulate "$scenes/$2.toml" -o "$out/recordings/$1" --rate 10 --quiet "${@:3}"
+        "$build/zonegrid" simulate "$scenes/$2.toml" -o "$out/recordings/$1" --rate "${rate:-10}" --quiet "${@:3}"
     }
 }
 
@@ -158,13 +158,26 @@ table_faults() {
 
 table_fusion() {
     local limits
-    simulated slalom-all slalom --all-faults
-    simulated slalom-sensor slalom "${realistic[@]}"
-    for limits in "2 1 2 2" "2 1 4 2" "2 1 8 2" "2 1 16 2" "2 1 32 2" "1 1 8 2" "3 1 8 2" "4 1 8 2" \
-        "2 1 8 4" "2 1 8 6" "2 2 8 2"; do
+    rate=30 simulated slalom-all30 slalom --all-faults
+    rate=30 simulated wires-sensor30 wires "${realistic[@]}"
+    for limits in "2 1 2 2" "2 1 4 2" "2 1 8 2" "2 1 16 2" "2 1 32 2" "1 1 8 2" "4 1 8 2" "2 1 8 4" "2 1 8 6" \
+        "2 2 8 2"; do
         read -r hit miss limit threshold <<<"$limits"
-        for faults in sensor all; do
-            echo "fusion-$hit,$miss,$limit,$threshold,$faults slalom-$faults zonegrid --cell 0.5 --model span --hit $hit --miss $miss --limit $limit --threshold $threshold"
+        for flight in wires-sensor30 slalom-all30; do
+            echo "fusion-$hit,$miss,$limit,$threshold,${flight%30} $flight zonegrid --cell 0.5 --model span --hit $hit --miss $miss --limit $limit --threshold $threshold"
+        done
+    done
+}
+
+# Rays that cross the cells of what has left the image come the more often, the more images there are.
+table_rates() {
+    local scene
+    for scene in second_vehicle slalom; do
+        simulated "$scene-none" "$scene"
+        rate=30 simulated "$scene-none30" "$scene"
+        for flight in "$scene-none" "$scene-none30"; do
+            echo "rates-$flight,zonegrid $flight zonegrid --cell 1.0 --model span"
+            echo "rates-$flight,octomap $flight octomap --cell 1.0"
         done
     done
 }
@@ -231,7 +244,7 @@ table_scenes() {
 
 for table in "${tables[@]}"; do
     case "$table" in
-        cells | faults | fusion | navigation | screen | octomap | wires | scenes) ;;
+        cells | faults | fusion | navigation | screen | wires | scenes | rates | octomap) ;;
         *)
             echo "results: there is no table $table" >&2
             usage >&2

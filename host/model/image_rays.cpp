@@ -251,7 +251,9 @@ View ImageQuantizer::view(const Eigen::Matrix3d& rotation, const ImageRays& rays
     }
     view.sides = {side(rotation, 1.0, 0.0, -left), side(rotation, -1.0, 0.0, right),
                   side(rotation, 0.0, 1.0, -top), side(rotation, 0.0, -1.0, bottom)};
-    const auto coarse = [](std::int32_t sub) { return sub >> (ZG_SUB_BITS - 4); };
+    const auto coarse = [](std::int32_t sub) {
+        return floor_div(sub, ZG_SUB_PER_CELL / ZG_VIEW_PER_CELL);
+    };
     view.centre = {coarse(rays.origin.x), coarse(rays.origin.y), coarse(rays.origin.z)};
     view.radius = static_cast<std::int32_t>(std::floor(range_cells_ * ZG_VIEW_PER_CELL));
     return view;

@@ -45,7 +45,7 @@ std::vector<Eigen::Vector3d> sample_way(const TimedWay& way, double step_s) {
 }
 
 /// Slows the corners until the control points' second differences, and with them the curve's
-/// acceleration, keep the limit.
+/// acceleration, keep the limit. Throws UsageError if they do not come to.
 void keep_acceleration(TimedWay& way, double step_s, double limit_mps2) {
     const double most_m = limit_mps2 * step_s * step_s * within_rounding;
     for (int round = 0; round < most_rounds; ++round) {
@@ -62,6 +62,10 @@ void keep_acceleration(TimedWay& way, double step_s, double limit_mps2) {
         }
         way.retime();
     }
+    throw UsageError(
+        fmt::format("the way's corners cannot be flown within {:g} m/s^2: raise the limit "
+                    "on acceleration, or lower the speeds between waypoints",
+                    limit_mps2));
 }
 
 std::vector<Eigen::Vector4d> control_points(const TimedWay& way, double step_s,

@@ -1,5 +1,6 @@
 #include "command.h"
 #include "device/device.h"
+#include "io/json_text.h"
 #include "standard_output.h"
 
 #include <fmt/format.h>
@@ -97,7 +98,7 @@ void add_devices_command(CLI::App& app) {
     devices_app->footer(std::string(help_footer) + exit_codes);
     devices_app->callback([as_json] {
         const auto list = device::list_devices();
-        write_standard_output(*as_json ? json_of(list).dump(2) + "\n" : text_of(list));
+        write_standard_output(*as_json ? json_text(json_of(list)) : text_of(list));
     });
 }
 

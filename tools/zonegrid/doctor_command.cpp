@@ -1,5 +1,6 @@
 #include "command.h"
 #include "doctor_report.h"
+#include "io/json_text.h"
 #include "standard_output.h"
 
 #include <algorithm>
@@ -64,7 +65,7 @@ void examine(bool as_json) {
     print(system_text(system));
     const DeviceDiagnosis diagnosis = diagnose(print);
     if (as_json) {
-        write_standard_output(doctor_report(system, diagnosis).dump(2) + "\n");
+        write_standard_output(json_text(doctor_report(system, diagnosis)));
     }
     if (std::ranges::any_of(diagnosis.devices, &ExaminedDevice::failed)) {
         throw Error(verdict_on(diagnosis));
