@@ -53,7 +53,7 @@ private:
 };
 
 TEST(FuseLocalMap, TruthTableOfTheDefaults) {
-    // hit 2, miss 1, limit 8, threshold 2.
+    // hit 2, miss 1, limit 4, threshold 2.
     struct Row {
         int before;
         std::uint8_t statement;
@@ -64,11 +64,11 @@ TEST(FuseLocalMap, TruthTableOfTheDefaults) {
         {0, ZG_STATEMENT_NOTHING, 0, false},   {0, ZG_STATEMENT_FREE, -1, false},
         {0, ZG_STATEMENT_OCCUPIED, 2, true},   {1, ZG_STATEMENT_OCCUPIED, 3, true},
         {2, ZG_STATEMENT_FREE, 1, true},       {3, ZG_STATEMENT_FREE, 2, false},
-        {2, ZG_STATEMENT_OCCUPIED, 4, false},  {7, ZG_STATEMENT_OCCUPIED, 8, false},
-        {8, ZG_STATEMENT_OCCUPIED, 8, false},  {-7, ZG_STATEMENT_FREE, -8, false},
-        {-8, ZG_STATEMENT_FREE, -8, false},    {-8, ZG_STATEMENT_OCCUPIED, -6, false},
-        {-1, ZG_STATEMENT_OCCUPIED, 1, false}, {8, ZG_STATEMENT_NOTHING, 8, false},
-        {-8, ZG_STATEMENT_NOTHING, -8, false},
+        {2, ZG_STATEMENT_OCCUPIED, 4, false},  {3, ZG_STATEMENT_OCCUPIED, 4, false},
+        {4, ZG_STATEMENT_OCCUPIED, 4, false},  {-3, ZG_STATEMENT_FREE, -4, false},
+        {-4, ZG_STATEMENT_FREE, -4, false},    {-4, ZG_STATEMENT_OCCUPIED, -2, false},
+        {-1, ZG_STATEMENT_OCCUPIED, 1, false}, {4, ZG_STATEMENT_NOTHING, 4, false},
+        {-4, ZG_STATEMENT_NOTHING, -4, false},
     };
     for (const auto& row : rows) {
         OneCell cell{MapperOptions{}};
@@ -93,9 +93,9 @@ View wide_view() {
 bool denies(const View& view) {
     OneCell cell{MapperOptions{}};
     cell.set_view(view);
-    cell.set(8);
+    cell.set(4);
     cell.say(ZG_STATEMENT_FREE);
-    return cell.value() == 7;
+    return cell.value() == 3;
 }
 
 TEST(FuseLocalMap, DeniesAnObstacleOnlyIfItsWholeCellIsSeen) {
@@ -134,8 +134,8 @@ TEST(FuseLocalMap, WhatIsNoObstacleIsFreedWhereItIsPartlySeen) {
         int after;
     };
     const std::vector<Row> rows{
-        {8, ZG_STATEMENT_FREE, 8},     {2, ZG_STATEMENT_FREE, 2},      {1, ZG_STATEMENT_FREE, 0},
-        {0, ZG_STATEMENT_FREE, -1},    {-8, ZG_STATEMENT_FREE, -8},    {2, ZG_STATEMENT_NOTHING, 2},
+        {4, ZG_STATEMENT_FREE, 4},     {2, ZG_STATEMENT_FREE, 2},      {1, ZG_STATEMENT_FREE, 0},
+        {0, ZG_STATEMENT_FREE, -1},    {-4, ZG_STATEMENT_FREE, -4},    {2, ZG_STATEMENT_NOTHING, 2},
         {2, ZG_STATEMENT_OCCUPIED, 4}, {-1, ZG_STATEMENT_OCCUPIED, 1},
     };
     for (const auto& row : rows) {
@@ -167,33 +167,33 @@ TEST(FuseLocalMap, WidestLimitsStayInEightBits) {
 
 TEST(FuseLocalMap, ForgetsAndAcceptsAfterAsManyImagesAsTheModelSays) {
     OneCell wrong_obstacle{MapperOptions{}};
-    wrong_obstacle.set(8);
+    wrong_obstacle.set(4);
     int images = 0;
     for (; wrong_obstacle.value() >= 2; ++images) {
         wrong_obstacle.say(ZG_STATEMENT_FREE);
     }
-    EXPECT_EQ(images, 7);
+    EXPECT_EQ(images, 3);
 
     OneCell new_obstacle{MapperOptions{}};
-    new_obstacle.set(-8);
+    new_obstacle.set(-4);
     for (images = 0; new_obstacle.value() < 2; ++images) {
         new_obstacle.say(ZG_STATEMENT_OCCUPIED);
     }
-    EXPECT_EQ(images, 5);
+    EXPECT_EQ(images, 3);
 }
 
 TEST(FuseLocalMap, SaturationMakesTheOrderOfImagesMatter) {
     OneCell seen_first{MapperOptions{}};
-    seen_first.set(8);
+    seen_first.set(4);
     seen_first.say(ZG_STATEMENT_OCCUPIED);
     seen_first.say(ZG_STATEMENT_FREE);
-    EXPECT_EQ(seen_first.value(), 7);
+    EXPECT_EQ(seen_first.value(), 3);
 
     OneCell seen_last{MapperOptions{}};
-    seen_last.set(8);
+    seen_last.set(4);
     seen_last.say(ZG_STATEMENT_FREE);
     seen_last.say(ZG_STATEMENT_OCCUPIED);
-    EXPECT_EQ(seen_last.value(), 8);
+    EXPECT_EQ(seen_last.value(), 4);
 }
 
 TEST(FuseLocalMap, TouchesOnlyZonesOfTheLocalMap) {

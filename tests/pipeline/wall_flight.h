@@ -22,6 +22,7 @@ public:
         MapperOptions options;
         options.range_m = 12.0;
         options.zone = 8;
+        options.limit = 8; // so that values between threshold and limit can be told apart
         return options;
     }
     static Camera camera() { return scenes::forward_camera(16, 12, 16.0); }

@@ -21,7 +21,7 @@ struct MapperOptions {
     double span_sigmas = 1.0; ///< spread of an obstacle in standard deviations of the depth, >= 0
     int hit = 2;              ///< added to a cell that an image says is occupied, 1 .. limit
     int miss = 1;             ///< taken from a cell that an image says is free, 1 .. limit
-    int limit = 8;            ///< cells saturate at -limit and +limit, 1 .. 127
+    int limit = 4;            ///< cells saturate at -limit and +limit, 1 .. 127
     int threshold = 2;        ///< a cell is occupied from this value on, 1 .. limit
     double max_gap_s = 0.05;  ///< greatest distance in time between image and navigation, >= 0
     /// How to compute: "reference" (scalar, on the processor), "opencl" or "vulkan" (the first
