@@ -75,7 +75,7 @@ std::vector<std::int32_t> range_limits(const Camera& camera, double range_sub) {
 }
 
 /// A side of the view through the camera's centre: of length 1, in the world, rounded.
-View::Side side(const Eigen::Matrix3d& rotation, double x, double y, double z) {
+View::Vector side(const Eigen::Matrix3d& rotation, double x, double y, double z) {
     const double length = std::sqrt((x * x + y * y) + z * z);
     const Eigen::Vector3d normal = rotate(rotation, x / length, y / length, z / length);
     const auto round = [](double value) {

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "model/lattice.h"
-
 #include <array>
+#include <compare>
 #include <cstdint>
 
 namespace zonegrid {
@@ -11,20 +10,18 @@ namespace zonegrid {
 /// section 3): a cone with four sides from the camera's centre to the range. Lengths are in
 /// 1/ZG_VIEW_PER_CELL cell, at most 2^15.
 struct View {
-    /// A side's inner normal, of length 2^ZG_VIEW_NORMAL_BITS.
-    struct Side {
+    struct Vector {
         std::int32_t x = 0;
         std::int32_t y = 0;
         std::int32_t z = 0;
-        friend auto operator<=>(const Side&, const Side&) = default;
+        friend auto operator<=>(const Vector&, const Vector&) = default;
     };
 
     bool bounded = false; ///< otherwise it is all of space: a scan, of which no sides are known
-    std::array<Side, 4> sides; ///< left, right, top, bottom
-    CellIndex centre;          ///< camera's centre
-    std::int32_t radius = 0;   ///< the range
-
-    friend auto operator<=>(const View&, const View&) = default;
+    /// Inner normals of left, right, top and bottom, of length 2^ZG_VIEW_NORMAL_BITS.
+    std::array<Vector, 4> sides;
+    Vector centre;           ///< camera's centre
+    std::int32_t radius = 0; ///< the range
 };
 
 } // namespace zonegrid

@@ -59,8 +59,14 @@ public:
     }
 
     void hit(std::int32_t hit) {
-        const FuseLocalMapParams params{zones_, plane_words, hit, 1,  127, 100, 3,
-                                        0,      {},          {},  {}, {},  0};
+        FuseLocalMapParams params{};
+        params.pair_count = zones_;
+        params.plane_words = plane_words;
+        params.hit = hit;
+        params.miss = 1;
+        params.limit = 127;
+        params.threshold = 100;
+        params.zone_bits = 3;
         const std::array<const Buffer*, 5> buffers{&local_, &grid_, &occupied_, &pairs_, &changes_};
         device_.dispatch(kernel_, buffers, std::as_bytes(std::span(&params, 1)), zones_);
     }

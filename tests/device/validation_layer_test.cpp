@@ -51,7 +51,14 @@ protected:
         Buffer pairs = zeros(*device, 3);
         const Buffer changes = zeros(*device, 3);
         device->fill(pairs, 4, 4, grid_slot);
-        const FuseLocalMapParams params{1, plane_words, 1, 1, 8, 2, 3, 0, {}, {}, {}, {}, 0};
+        FuseLocalMapParams params{};
+        params.pair_count = 1;
+        params.plane_words = plane_words;
+        params.hit = 1;
+        params.miss = 1;
+        params.limit = 8;
+        params.threshold = 2;
+        params.zone_bits = 3;
         const std::array<const Buffer*, 5> buffers{&local, &grid, &occupied, &pairs, &changes};
         for (int i = 0; i < 2; ++i) {
             device->dispatch(kernel, buffers, std::as_bytes(std::span(&params, 1)), 1);

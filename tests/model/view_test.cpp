@@ -49,19 +49,19 @@ TEST(View, SidesOfAWholeImagePassTheMiddlesOfItsOuterPixels) {
     const View view = view_of(wide_camera(), std::vector<float>(9, 5.0F));
     EXPECT_TRUE(view.bounded);
     // World axes: north is the optical axis, east is right, down is down.
-    EXPECT_EQ(view.sides[0], (View::Side{diagonal, diagonal, 0}));
-    EXPECT_EQ(view.sides[1], (View::Side{diagonal, -diagonal, 0}));
-    EXPECT_EQ(view.sides[2], (View::Side{diagonal, 0, diagonal}));
-    EXPECT_EQ(view.sides[3], (View::Side{diagonal, 0, -diagonal}));
+    EXPECT_EQ(view.sides[0], (View::Vector{diagonal, diagonal, 0}));
+    EXPECT_EQ(view.sides[1], (View::Vector{diagonal, -diagonal, 0}));
+    EXPECT_EQ(view.sides[2], (View::Vector{diagonal, 0, diagonal}));
+    EXPECT_EQ(view.sides[3], (View::Vector{diagonal, 0, -diagonal}));
 }
 
 TEST(View, EndsWithTheOutermostPixelsThatAreNotMissing) {
     // Of the middle column only the two lower pixels, of the right one the lowest.
     const View view = view_of(wide_camera(), {nan, nan, nan, nan, 5.0F, nan, nan, 5.0F, 5.0F});
-    EXPECT_EQ(view.sides[0], (View::Side{0, unit, 0}));             // x >= 0 z
-    EXPECT_EQ(view.sides[1], (View::Side{diagonal, -diagonal, 0})); // x <= z
-    EXPECT_EQ(view.sides[2], (View::Side{0, 0, unit}));             // y >= 0 z
-    EXPECT_EQ(view.sides[3], (View::Side{diagonal, 0, -diagonal})); // y <= z
+    EXPECT_EQ(view.sides[0], (View::Vector{0, unit, 0}));             // x >= 0 z
+    EXPECT_EQ(view.sides[1], (View::Vector{diagonal, -diagonal, 0})); // x <= z
+    EXPECT_EQ(view.sides[2], (View::Vector{0, 0, unit}));             // y >= 0 z
+    EXPECT_EQ(view.sides[3], (View::Vector{diagonal, 0, -diagonal})); // y <= z
 }
 
 TEST(View, OfAnImageWithoutAPixelHoldsNothing) {
@@ -82,10 +82,10 @@ TEST(View, OfATableOfDirectionsKeepsInsideOfAllOuterPixels) {
     const auto rounded = [](double value) {
         return static_cast<std::int32_t>(std::floor(value + 0.5));
     };
-    EXPECT_EQ(view.sides[0], (View::Side{diagonal, diagonal, 0})); // x >= -z, not -2 z
-    EXPECT_EQ(view.sides[1], (View::Side{rounded(0.5 * of_half), rounded(-of_half), 0}));
-    EXPECT_EQ(view.sides[2], (View::Side{rounded(0.5 * of_half), 0, rounded(of_half)}));
-    EXPECT_EQ(view.sides[3], (View::Side{diagonal, 0, -diagonal}));
+    EXPECT_EQ(view.sides[0], (View::Vector{diagonal, diagonal, 0})); // x >= -z, not -2 z
+    EXPECT_EQ(view.sides[1], (View::Vector{rounded(0.5 * of_half), rounded(-of_half), 0}));
+    EXPECT_EQ(view.sides[2], (View::Vector{rounded(0.5 * of_half), 0, rounded(of_half)}));
+    EXPECT_EQ(view.sides[3], (View::Vector{diagonal, 0, -diagonal}));
 }
 
 TEST(View, CentreAndRadiusAreInSixteenthsOfACell) {

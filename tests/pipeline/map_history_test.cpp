@@ -194,15 +194,15 @@ void fly(std::uint64_t seed, const std::string& backend, Seen& seen) {
 
 void fly_many(const std::string& backend) {
     Seen seen;
-    const std::uint64_t count = case_count(15);
+    const std::uint64_t count = case_count(20);
     for (std::uint64_t seed = 1; seed <= count; ++seed) {
         SCOPED_TRACE(backend + ", seed " + std::to_string(seed));
         fly(seed, backend, seen);
         ASSERT_FALSE(testing::Test::HasFatalFailure());
     }
-    if (count >= 15) {
+    if (count >= 20) {
         EXPECT_GT(seen.cells, 10000U);
-        EXPECT_GT(seen.cleared, 30U);
+        EXPECT_GT(seen.cleared, 50U);
         EXPECT_GT(seen.again, 10U);
         EXPECT_GT(seen.entered, 20U);
         EXPECT_GT(seen.left, 100U);

@@ -1,5 +1,7 @@
 #include "support/oracle_local_map.h"
 
+#include "support/oracle_rounding.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -11,16 +13,6 @@ namespace {
 using Whole = std::array<std::int64_t, 3>;
 
 constexpr double two_to_28 = 268435456.0;
-
-std::int64_t floor_to_whole(double value) {
-    return static_cast<std::int64_t>(std::floor(value));
-}
-
-/// Division by a positive number, rounded towards minus infinity.
-std::int64_t floor_divide(std::int64_t value, std::int64_t by) {
-    const std::int64_t rest = ((value % by) + by) % by;
-    return (value - rest) / by;
-}
 
 Whole fixed_point(const Rotation& rotation, const Triple& vector) {
     const Triple turned = rotate(rotation, vector);

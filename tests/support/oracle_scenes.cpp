@@ -215,15 +215,15 @@ Camera seeing_camera(Random& random) {
 MapperOptions seeing_options(Random& random) {
     MapperOptions options = random_options(random, 9.0);
     options.hit = options.limit;
-    options.range_m =
-        options.cell_m * (random.chance(0.5) ? random.pick(6, 11) + 0.25 : random.real(6.0, 12.0));
+    options.range_m = options.cell_m *
+                      (random.chance(0.5) ? random.pick(6, 11) + 0.3125 : random.real(6.0, 12.0));
     return options;
 }
 
 Eigen::Vector3d seeing_position(Random& random, double cell_m, int most) {
     const bool exact = random.chance(0.7);
     const auto coordinate = [&]() -> double {
-        return exact ? random.pick(-8 * most, 8 * most) / 8.0 * cell_m
+        return exact ? random.pick(-16 * most, 16 * most) / 16.0 * cell_m
                      : random.real(-1.0, 1.0) * most * cell_m;
     };
     const double x_m = coordinate();

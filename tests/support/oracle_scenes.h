@@ -41,12 +41,12 @@ inline constexpr int picture_kinds = 8;
 [[nodiscard]] Camera seeing_camera(Random& random);
 
 /// Random options with which one hit makes an unknown cell occupied, and a range of 6 to 12 cells;
-/// half of them 1/4 cell more than whole: less the margin of 1/8 cell that is an odd number of
+/// half of them 5/16 cell more than whole: less the margin of 3/16 cell that is an odd number of
 /// eighths, whose square is a sum of three in many ways, so corners of cells are exactly there.
 [[nodiscard]] MapperOptions seeing_options(Random& random);
 
-/// Mostly multiples of 1/8 cell within +-`most` cells: from there, corners of cells are exactly at
-/// the borders of an upright camera's view, or 1/16 cell off.
+/// Mostly multiples of 1/16 cell within +-`most` cells: from there, corners of cells are exactly at
+/// the borders of an upright camera's view.
 [[nodiscard]] Eigen::Vector3d seeing_position(Random& random, double cell_m, int most);
 
 /// Ends of a scan that says occupied all around its sensor, up to the range, cell by cell.

@@ -1,5 +1,7 @@
 #include "support/oracle_view.h"
 
+#include "support/oracle_rounding.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -12,16 +14,6 @@ constexpr std::int64_t units_per_cell = 16;
 constexpr std::int64_t subs_per_unit = 16;
 constexpr std::int64_t normal_length = 16384; // 2^14
 constexpr std::int64_t margin = 3;            // units
-
-std::int64_t floor_to_whole(double value) {
-    return static_cast<std::int64_t>(std::floor(value));
-}
-
-/// Division by a positive number, rounded towards minus infinity.
-std::int64_t floor_divide(std::int64_t value, std::int64_t by) {
-    const std::int64_t rest = ((value % by) + by) % by;
-    return (value - rest) / by;
-}
 
 std::int64_t dot(const std::array<std::int64_t, 3>& a, const std::array<std::int64_t, 3>& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
