@@ -9,7 +9,7 @@ Simulates the flights of docs/results.md with BUILD/zonegrid, maps them in every
 compare, judges the maps, and writes each table to DIR/TABLE.md. What is in DIR already is not made again.
 Tables: cells faults fusion navigation screen wires scenes, and rates octomap (these need BUILD/zonegrid-octomap).
   --jobs N    how many maps at a time (default: 2)
-Images come at 10 Hz, those of fusion and rates at 30, too. All tables take about two hours on two cores.
+Images come at 10 Hz, those of fusion and rates at 30, too. All tables take some hours on two cores.
 END
 }
 

@@ -125,6 +125,23 @@ TEST(FuseLocalMap, DeniesAnObstacleOnlyIfItsWholeCellIsSeen) {
     EXPECT_FALSE(denied_from(152, 160 - 164));
 }
 
+TEST(FuseLocalMap, TheBoundsThemselvesAreSeen) {
+    // All of space with x above the centre's: the cell begins at x = 208.
+    View view = wide_view();
+    view.sides.fill({16384, 0, 0});
+    view.centre.x = 208 - 3; // in front by just the margin
+    EXPECT_TRUE(denies(view));
+    view.centre.x = 208 - 2;
+    EXPECT_FALSE(denies(view));
+
+    // From here the farthest corner (224, 160, 160) is 32, 48 and 96 away, so 112.
+    view.centre = {224 - 32, 160 - 48, 160 - 96};
+    view.radius = 112 + 3;
+    EXPECT_TRUE(denies(view));
+    view.radius = 112 + 2;
+    EXPECT_FALSE(denies(view));
+}
+
 TEST(FuseLocalMap, WhatIsNoObstacleIsFreedWhereItIsPartlySeen) {
     View view = wide_view();
     view.radius = 0;
