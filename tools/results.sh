@@ -7,7 +7,8 @@ usage() {
 usage: tools/results.sh [--jobs N] BUILD DIR [TABLE...]
 Simulates the flights of docs/results.md with BUILD/zonegrid, maps them in every way that its tables
 compare, judges the maps, and writes each table to DIR/TABLE.md. What is in DIR already is not made again.
-Tables: cells faults fusion navigation screen wires scenes, and rates octomap (these need BUILD/zonegrid-octomap).
+Tables: cells faults faults_by_cell fusion navigation screen wires scenes, and rates octomap (these need
+BUILD/zonegrid-octomap).
   --jobs N    how many maps at a time (default: 2)
 Images come at 10 Hz, those of fusion and rates at 30, too. All tables take some hours on two cores.
 END
@@ -25,7 +26,7 @@ fi
 build="$1" out="$2"
 shift 2
 tables=("$@")
-[[ $# -gt 0 ]] || tables=(cells faults fusion navigation screen wires scenes rates octomap)
+[[ $# -gt 0 ]] || tables=(cells faults faults_by_cell fusion navigation screen wires scenes rates octomap)
 for tool in "$build/zonegrid" jq; do
     command -v "$tool" >/dev/null || {
         echo "results: $tool is missing; build zonegrid, and install jq" >&2
@@ -35,39 +36,56 @@ done
 scenes="$(dirname "${BASH_SOURCE[0]}")/../scenes"
 mkdir -p "$out"
 
-# simulated NAME SCENE OPTION...: the recording NAME, of $rate or 10 images a second, made unless it is there.
+# named WORD...: the words as the name of a folder: "slalom --rate 10" is slalom,rate=10.
+named() {
+    local name="$*"
+    name="${name// --/,}"
+    echo "${name// /=}"
+}
+
+# name_of_map RECORDING MAPPER OPTION...: the name of a map's folder.
+name_of_map() {
+    echo "$1/$(named "${@:2}")"
+}
+
+# simulated SCENE OPTION...: sets `recording` to the name of this flight, which is made unless it is there.
 simulated() {
-    [[ -d "$out/recordings/$1" ]] || {
+    local scene="$1" options=(--rate "${rate:-10}" "${@:2}")
+    recording="$(named "$scene" "${options[@]}")"
+    [[ -d "$out/recordings/$recording" ]] || {
         mkdir -p "$out/recordings"
-        "$build/zonegrid" simulate "$scenes/$2.toml" -o "$out/recordings/$1" --rate "${rate:-10}" --quiet "${@:3}"
+        "$build/zonegrid" simulate "$scenes/$scene.toml" -o "$out/recordings/$recording" --quiet "${options[@]}"
     }
 }
 
-# judged NAME RECORDING MAPPER OPTION...: a map of the recording and what it is worth, unless it is there.
+# judged RECORDING MAPPER OPTION...: a map of the recording and what it is worth, unless it is there.
 # The map's cells are big and no longer needed then.
 judged() {
-    local name="$1" recording="$out/recordings/$2" mapper="$3" map="$out/maps/$1"
-    [[ -f "$out/judged/$name/evaluation.json" ]] && return
-    mkdir -p "$out/maps" "$out/judged"
+    local recording="$out/recordings/$1" mapper="$2" name map
+    name="$(name_of_map "$@")"
+    map="$out/maps/$name"
+    [[ -f "$out/judged/$name/report.json" ]] && return
+    mkdir -p "$out/maps/$1" "$out/judged/$1"
     if [[ $mapper == zonegrid ]]; then
-        "$build/zonegrid" map "$recording" -o "$map" --overwrite --history --quiet "${@:4}"
+        "$build/zonegrid" map "$recording" -o "$map" --overwrite --history --quiet "${@:3}"
     else
         rm -rf "$map"
-        "$build/zonegrid-octomap" "$recording" -o "$map" "${@:4}" >/dev/null
+        "$build/zonegrid-octomap" "$recording" -o "$map" "${@:3}" >/dev/null
     fi
     "$build/zonegrid" evaluate "$map" --truth "$recording/truth" -o "$out/judged/$name" --overwrite --quiet
     cp "$map/report.json" "$out/judged/$name/"
     rm -r "$map"
 }
 
-# A plan is a file with a line a map: NAME, RECORDING, then the mapper and its options. It holds the rows of
-# one table in their order; NAME is what the row is called.
+# A plan is a file with a line a map, in the order of the table: what its row is called, then the recording, the
+# mapper and its options. Rows that show the same map share it.
 carry_out() {
     local plan="$1"
-    export -f judged
+    export -f judged name_of_map named
     export build out
     # shellcheck disable=SC2016
-    grep -v '^$' "$plan" | xargs -P "$jobs" -d '\n' -n 1 bash -c 'set -euo pipefail; judged $0'
+    cut -d ' ' -f 2- "$plan" | awk '!seen[$0]++' |
+        xargs -P "$jobs" -d '\n' -n 1 bash -c 'set -euo pipefail; judged $0'
 }
 
 percent='def percent: if . == null then "-" else (. * 1000 | round / 10 | tostring) end;
@@ -75,9 +93,9 @@ def metres: if . == null then "-" else (. * 100 | round / 100 | tostring) end;
 def mean: map(select(. != null)) | if length == 0 then null else add / length end;
 def median: map(select(. != null)) | sort | if length == 0 then null else .[(length / 2) | floor] end;'
 
-# row NAME: a line of a table.
+# row JUDGED: a line of a table.
 row() {
-    jq -r --slurpfile report "$out/judged/$1/report.json" "$percent"'
+    jq -r "$percent"'
         .cells as $c | [.obstacles.each[] | select(.kind != "ground")] as $each
         | [$c.precision[0].share, $c.precision[1].share, $c.recall[0].share, $c.recall[1].share,
            $c.wrong_free_surface.share, $c.wrong_free_solid.share, $c.wrong_occupied_free.share,
@@ -86,20 +104,19 @@ row() {
           + [[$each[] | select(.merged)] | length | tostring]
           + [([$each[].horizontal_error_m] | mean), ([$each[].size_error_m] | mean),
              ([$each[].detection.distance_m] | median) | metres]
-          + [($report[0].time | (.image_ms.map.median // .insert_ms)) | . * 10 | round / 10 | tostring]
         | join(" | ")' "$out/judged/$1/evaluation.json"
 }
 
 head_of_rows() {
-    echo "| map | precision | within 1 | recall | within 1 | free: surface | solid | occupied: free | unknown | found | merged | aside | size | held from | ms |"
-    echo "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
+    echo "| map | precision | within 1 | recall | within 1 | free: surface | solid | occupied: free | unknown | found | merged | aside | size | held from |"
+    echo "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
 }
 head_of_thin_rows() {
     echo "| map | telephone wire, 10 mm | guys, 20 mm | power wires, 30 mm | poles | lattice mast |"
     echo "|---|---|---|---|---|---|"
 }
 
-# thin_row NAME: a line of the table of thin obstacles: for each group the median distance from which one is held, the
+# thin_row JUDGED: a line of the table of thin obstacles: for each group the median distance from which one is held, the
 # share of its cells that are found and that were erased again.
 thin_row() {
     jq -r "$percent"'
@@ -113,78 +130,118 @@ thin_row() {
         | join(" | ")' "$out/judged/$1/evaluation.json"
 }
 
-# tabulate TABLE ROW: the rows of the plan.
+# entry JUDGED: precision and recall within one cell, and obstacles found.
+entry() {
+    jq -r "$percent"'
+        [.obstacles.each[] | select(.kind != "ground")] as $each
+        | [(.cells.precision[1].share, .cells.recall[1].share | percent),
+           ([$each[] | select(.found)] | length | tostring)] | join("; ")' "$out/judged/$1/evaluation.json"
+}
+
+# tabulate TABLE ROW: a row for each map of the plan.
 tabulate() {
-    local table="$1" name
+    local table="$1" name map
     {
         "head_of_${2}s"
-        while read -r name _; do
-            [[ -z "$name" ]] || echo "| ${name#"$table"-} | $("$2" "$name") |"
+        while read -r name map; do
+            # shellcheck disable=SC2086
+            echo "| ${name//_/ } | $("$2" "$(name_of_map $map)") |"
         done <"$out/$table.plan"
     } >"$out/$table.md"
     echo "$out/$table.md"
 }
 
+# tabulate_by_cell TABLE: a row for all cell sizes of what the plan calls by one name.
+tabulate_by_cell() {
+    local table="$1" name map
+    {
+        echo "| map |$(printf ' %s m |' "${cell_sizes[@]}")"
+        echo "|---|$(printf -- '---|%.0s' "${cell_sizes[@]}")"
+        cut -d ' ' -f 1 "$out/$table.plan" | uniq | while read -r name; do
+            echo "| ${name//_/ } |$(
+                grep "^$name " "$out/$table.plan" | while read -r _ map; do
+                    # shellcheck disable=SC2086
+                    echo " $(entry "$(name_of_map $map)") |"
+                done | tr -d '\n'
+            )"
+        done
+    } >"$out/$table.md"
+    echo "$out/$table.md"
+}
+
 realistic=(--stereo-noise 0.25 --quantise 0.0625 --missing 1 --bleeding 2 --outliers 0.0005 --vibration 0.1)
+cell_sizes=(1.0 0.5 0.25 0.1)
+
+# with_faults SCENE none|sensor|all
+with_faults() {
+    case "$2" in
+        none) simulated "$1" ;;
+        sensor) simulated "$1" "${realistic[@]}" ;;
+        all) simulated "$1" --all-faults ;;
+    esac
+}
 
 table_cells() {
     local cell model faults
-    simulated slalom-none slalom
-    simulated slalom-sensor slalom "${realistic[@]}"
-    simulated slalom-all slalom --all-faults
-    for cell in 1.0 0.5 0.25 0.1; do
+    for cell in "${cell_sizes[@]}"; do
         for model in line span; do
             for faults in none sensor all; do
-                echo "cells-$cell,$model,$faults slalom-$faults zonegrid --cell $cell --model $model"
+                with_faults slalom "$faults"
+                echo "$cell,$model,$faults $recording zonegrid --cell $cell --model $model"
             done
         done
     done
 }
 
-table_faults() {
-    local number=0 fault name
-    local faults=("" "--stereo-noise 0.25" "--quantise 0.0625" "--missing 1" "--bleeding 2"
-        "--outliers 0.0005" "--missing-sky" "--vibration 0.1" "--navigation-errors 1" "--late-images 0.2"
-        "--lost-navigation 0.2" "--all-faults")
-    for fault in "${faults[@]}"; do
+each_fault=("" "--stereo-noise 0.25" "--quantise 0.0625" "--missing 1" "--bleeding 2"
+    "--outliers 0.0005" "--missing-sky" "--vibration 0.1" "--navigation-errors 1" "--late-images 0.2"
+    "--lost-navigation 0.2" "--all-faults")
+
+# maps_of_each_fault CELL...
+maps_of_each_fault() {
+    local fault name cell
+    for fault in "${each_fault[@]}"; do
         # shellcheck disable=SC2086
-        simulated "fault-$number" slalom $fault
+        simulated slalom $fault
         name="${fault:-none}"
-        name="${name//--/}"
-        echo "faults-${name// /_} fault-$number zonegrid --cell 1.0 --model span"
-        number=$((number + 1))
+        name="${name#--}"
+        for cell in "$@"; do
+            echo "${name// /_} $recording zonegrid --cell $cell --model span"
+        done
     done
 }
 
+table_faults() { maps_of_each_fault 1.0; }
+table_faults_by_cell() { maps_of_each_fault "${cell_sizes[@]}"; }
+
 table_fusion() {
     local limits flight
-    rate=30 simulated slalom-all30 slalom --all-faults
-    rate=30 simulated wires-sensor30 wires "${realistic[@]}"
     for limits in "2 1 2 2" "2 1 4 2" "2 1 8 2" "2 1 32 2" "1 1 4 2" "2 1 4 3" "2 2 4 2"; do
         read -r hit miss limit threshold <<<"$limits"
-        for flight in wires-sensor30 slalom-all30; do
-            echo "fusion-$hit,$miss,$limit,$threshold,${flight%30} $flight zonegrid --cell 0.5 --model span --hit $hit --miss $miss --limit $limit --threshold $threshold"
+        for flight in "wires sensor" "slalom all"; do
+            # shellcheck disable=SC2086
+            rate=30 with_faults $flight
+            echo "${limits// /,},${flight/ /-} $recording zonegrid --cell 0.5 --model span --hit $hit --miss $miss --limit $limit --threshold $threshold"
         done
     done
 }
 
 # Rays that cross the cells of what has left the image come the more often, the more images there are.
 table_rates() {
-    local flight
-    simulated second_vehicle-none second_vehicle
-    rate=30 simulated second_vehicle-none30 second_vehicle
-    for flight in second_vehicle-none second_vehicle-none30; do
-        echo "rates-$flight,zonegrid $flight zonegrid --cell 1.0 --model span"
-        echo "rates-$flight,octomap $flight octomap --cell 1.0"
+    local rate
+    for rate in 10 30; do
+        simulated second_vehicle
+        echo "${rate}_Hz,zonegrid $recording zonegrid --cell 1.0 --model span"
+        echo "${rate}_Hz,octomap $recording octomap --cell 1.0"
     done
 }
 
 table_navigation() {
     local scale cell
     for scale in 0 0.1 0.25 0.5 1; do
-        simulated "navigation-$scale" slalom "${realistic[@]}" --navigation-errors "$scale"
+        simulated slalom "${realistic[@]}" --navigation-errors "$scale"
         for cell in 1.0 0.5 0.25; do
-            echo "navigation-$scale,$cell navigation-$scale zonegrid --cell $cell --model span"
+            echo "$scale,$cell $recording zonegrid --cell $cell --model span"
         done
     done
 }
@@ -192,36 +249,35 @@ table_navigation() {
 table_screen() {
     local scene
     for scene in slalom field; do
-        simulated "$scene-all" "$scene" --all-faults
-        simulated "$scene-screen" "$scene" --all-faults --screen 2
-        echo "screen-$scene,all $scene-all zonegrid --cell 1.0 --model span"
-        echo "screen-$scene,screen $scene-screen zonegrid --cell 1.0 --model span"
+        with_faults "$scene" all
+        echo "$scene,all $recording zonegrid --cell 1.0 --model span"
+        simulated "$scene" --all-faults --screen 2
+        echo "$scene,screen $recording zonegrid --cell 1.0 --model span"
     done
 }
 
+# At 0.1 m a map of OctoMap's would take the better part of an hour.
 table_octomap() {
-    local cell faults
-    simulated slalom-none slalom
-    simulated slalom-all slalom --all-faults
-    for cell in 1.0 0.5; do
+    local cell faults model
+    for cell in 1.0 0.5 0.25; do
         for faults in none all; do
+            with_faults slalom "$faults"
             for model in line span; do
-                echo "octomap-$cell,$faults,$model slalom-$faults zonegrid --cell $cell --model $model"
+                echo "$cell,$faults,$model $recording zonegrid --cell $cell --model $model"
             done
-            echo "octomap-$cell,$faults,octomap slalom-$faults octomap --cell $cell"
-            echo "octomap-$cell,$faults,discretized slalom-$faults octomap --cell $cell --discretize"
+            echo "$cell,$faults,octomap $recording octomap --cell $cell"
+            echo "$cell,$faults,discretized $recording octomap --cell $cell --discretize"
         done
     done
 }
 
 table_wires() {
-    local cell faults
-    simulated wires-none wires
-    simulated wires-sensor wires "${realistic[@]}"
-    for cell in 1.0 0.5 0.25; do
+    local cell faults model
+    for cell in "${cell_sizes[@]}"; do
         for faults in none sensor; do
+            with_faults wires "$faults"
             for model in line span; do
-                echo "wires-$cell,$faults,$model wires-$faults zonegrid --cell $cell --model $model"
+                echo "$cell,$faults,$model $recording zonegrid --cell $cell --model $model"
             done
         done
     done
@@ -231,17 +287,15 @@ table_scenes() {
     local scene faults
     for scene in slalom field empty_field street_canyon tunnel wires forest second_vehicle; do
         for faults in none all; do
-            local options=()
-            [[ $faults == none ]] || options=(--all-faults)
-            simulated "$scene-$faults" "$scene" "${options[@]}"
-            echo "scenes-$scene,$faults $scene-$faults zonegrid --cell 1.0 --model span"
+            with_faults "$scene" "$faults"
+            echo "$scene,$faults $recording zonegrid --cell 1.0 --model span"
         done
     done
 }
 
 for table in "${tables[@]}"; do
     case "$table" in
-        cells | faults | fusion | navigation | screen | wires | scenes | rates | octomap) ;;
+        cells | faults | faults_by_cell | fusion | navigation | screen | wires | scenes | rates | octomap) ;;
         *)
             echo "results: there is no table $table" >&2
             usage >&2
@@ -250,9 +304,9 @@ for table in "${tables[@]}"; do
     esac
     "table_$table" >"$out/$table.plan"
     carry_out "$out/$table.plan"
-    if [[ $table == wires ]]; then
-        tabulate "$table" thin_row
-    else
-        tabulate "$table" row
-    fi
+    case "$table" in
+        faults_by_cell) tabulate_by_cell "$table" ;;
+        wires) tabulate "$table" thin_row ;;
+        *) tabulate "$table" row ;;
+    esac
 done
