@@ -7,8 +7,8 @@ usage() {
 usage: tools/results.sh [--jobs N] BUILD DIR [TABLE...]
 Simulates the flights of docs/results.md with BUILD/zonegrid, maps them in every way that its tables
 compare, judges the maps, and writes each table to DIR/TABLE.md. What is in DIR already is not made again.
-Tables: cells faults faults_by_cell fusion navigation screen wires scenes, and rates octomap (these need
-BUILD/zonegrid-octomap).
+Tables: cells faults faults_by_cell fusion navigation screen wires scenes backends, and rates octomap
+(these need BUILD/zonegrid-octomap).
   --jobs N    how many maps at a time (default: 2)
 Images come at 10 Hz, those of fusion and rates at 30, too. All tables take some hours on two cores.
 END
@@ -26,7 +26,7 @@ fi
 build="$1" out="$2"
 shift 2
 tables=("$@")
-[[ $# -gt 0 ]] || tables=(cells faults faults_by_cell fusion navigation screen wires scenes rates octomap)
+[[ $# -gt 0 ]] || tables=(cells faults faults_by_cell fusion navigation screen wires scenes backends rates octomap)
 for tool in "$build/zonegrid" jq; do
     command -v "$tool" >/dev/null || {
         echo "results: $tool is missing; build zonegrid, and install jq" >&2
@@ -130,12 +130,17 @@ thin_row() {
         | join(" | ")' "$out/judged/$1/evaluation.json"
 }
 
-# entry JUDGED: precision and recall within one cell, and obstacles found.
-entry() {
+# share_entry JUDGED: precision and recall within one cell, and obstacles found.
+share_entry() {
     jq -r "$percent"'
         [.obstacles.each[] | select(.kind != "ground")] as $each
         | [(.cells.precision[1].share, .cells.recall[1].share | percent),
            ([$each[] | select(.found)] | length | tostring)] | join("; ")' "$out/judged/$1/evaluation.json"
+}
+
+# digest_entry JUDGED: the first digits of the digests of cells and objects.
+digest_entry() {
+    jq -r '.digest | "\(.cells[:10]) \(.objects[:10])"' "$out/judged/$1/report.json"
 }
 
 # tabulate TABLE ROW: a row for each map of the plan.
@@ -151,17 +156,17 @@ tabulate() {
     echo "$out/$table.md"
 }
 
-# tabulate_by_cell TABLE: a row for all cell sizes of what the plan calls by one name.
-tabulate_by_cell() {
-    local table="$1" name map
+# tabulate_across TABLE ENTRY COLUMN...: a row for all maps that the plan calls by one name, in its order.
+tabulate_across() {
+    local table="$1" entry="$2" name map
     {
-        echo "| map |$(printf ' %s m |' "${cell_sizes[@]}")"
-        echo "|---|$(printf -- '---|%.0s' "${cell_sizes[@]}")"
+        echo "| map |$(printf ' %s |' "${@:3}")"
+        echo "|---|$(printf -- '---|%.0s' "${@:3}")"
         cut -d ' ' -f 1 "$out/$table.plan" | uniq | while read -r name; do
             echo "| ${name//_/ } |$(
                 grep "^$name " "$out/$table.plan" | while read -r _ map; do
                     # shellcheck disable=SC2086
-                    echo " $(entry "$(name_of_map $map)") |"
+                    echo " $("$entry" "$(name_of_map $map)") |"
                 done | tr -d '\n'
             )"
         done
@@ -283,9 +288,11 @@ table_wires() {
     done
 }
 
+all_scenes=(slalom field empty_field street_canyon tunnel wires forest second_vehicle)
+
 table_scenes() {
     local scene faults
-    for scene in slalom field empty_field street_canyon tunnel wires forest second_vehicle; do
+    for scene in "${all_scenes[@]}"; do
         for faults in none all; do
             with_faults "$scene" "$faults"
             echo "$scene,$faults $recording zonegrid --cell 1.0 --model span"
@@ -293,9 +300,21 @@ table_scenes() {
     done
 }
 
+backends=(reference opencl vulkan)
+
+table_backends() {
+    local scene backend
+    for scene in "${all_scenes[@]}"; do
+        with_faults "$scene" all
+        for backend in "${backends[@]}"; do
+            echo "$scene $recording zonegrid --cell 1.0 --model span --backend $backend"
+        done
+    done
+}
+
 for table in "${tables[@]}"; do
     case "$table" in
-        cells | faults | faults_by_cell | fusion | navigation | screen | wires | scenes | rates | octomap) ;;
+        backends | cells | faults | faults_by_cell | fusion | navigation | screen | wires | scenes | rates | octomap) ;;
         *)
             echo "results: there is no table $table" >&2
             usage >&2
@@ -305,7 +324,8 @@ for table in "${tables[@]}"; do
     "table_$table" >"$out/$table.plan"
     carry_out "$out/$table.plan"
     case "$table" in
-        faults_by_cell) tabulate_by_cell "$table" ;;
+        backends) tabulate_across "$table" digest_entry "${backends[@]}" ;;
+        faults_by_cell) tabulate_across "$table" share_entry "${cell_sizes[@]/%/ m}" ;;
         wires) tabulate "$table" thin_row ;;
         *) tabulate "$table" row ;;
     esac
