@@ -221,7 +221,7 @@ table_faults_by_cell() { maps_of_each_fault "${cell_sizes[@]}"; }
 
 table_fusion() {
     local limits flight
-    for limits in "2 1 2 2" "2 1 4 2" "2 1 8 2" "2 1 32 2" "1 1 4 2" "2 1 4 3" "2 2 4 2"; do
+    for limits in "2 1 2 2" "2 1 4 1" "2 1 4 2" "2 1 8 2" "2 1 32 2" "1 1 4 2" "2 1 4 3" "2 2 4 2"; do
         read -r hit miss limit threshold <<<"$limits"
         for flight in "wires sensor" "slalom all"; do
             # shellcheck disable=SC2086
