@@ -125,7 +125,7 @@ Camera read_plain_camera(DescriptionTable& table, const std::filesystem::path& f
         read_directions(table, folder, camera);
     } else {
         table.refuse("model", fmt::format("is '{}'", model),
-                     "give \"pinhole\", \"brown_conrady\" or \"table\"");
+                     R"(give "pinhole", "brown_conrady" or "table")");
     }
     table.require_all_read();
     return camera;

@@ -85,7 +85,7 @@ void read_depth(DescriptionTable& root, PlainDescription& description) {
     }
     const std::string kind = table->text("kind").value_or("axis");
     if (kind != "axis" && kind != "ray") {
-        table->refuse("kind", fmt::format("is '{}'", kind), "give \"axis\" or \"ray\"");
+        table->refuse("kind", fmt::format("is '{}'", kind), R"(give "axis" or "ray")");
     }
     coding.kind = kind == "ray" ? DepthKind::ray : DepthKind::axis;
     if (const std::optional<std::vector<double>> values = table->numbers("missing")) {
@@ -112,7 +112,7 @@ WorldAxes read_axes(DescriptionTable& table) {
     const auto found = std::ranges::find(choices, name, name_of);
     if (found == choices.end()) {
         table.refuse("axes", fmt::format("is '{}'", name),
-                     "give \"north_east_down\", \"east_north_up\", \"z_up\" or \"y_down\"");
+                     R"(give "north_east_down", "east_north_up", "z_up" or "y_down")");
     }
     return *found;
 }

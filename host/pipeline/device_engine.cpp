@@ -251,7 +251,8 @@ void DeviceEngine::track_in(ops::DeviceGrid::Chunk& chunk, std::span<const ZoneI
     auto octrees = encode_octree_.trees();
     auto prisms = encode_prism_.trees();
 
-    const auto layer_cells = static_cast<std::size_t>(window_.zone_edge() * window_.zone_edge());
+    const auto zone_edge = static_cast<std::size_t>(window_.zone_edge());
+    const std::size_t layer_cells = zone_edge * zone_edge;
     std::size_t piece = 0;
     for (std::size_t i = 0; i < zones.size(); ++i) {
         const CellIndex first = first_cell_of(zones[i], window_.zone_edge());
@@ -322,7 +323,8 @@ void DeviceEngine::profile_in(ops::DeviceGrid::Chunk& chunk,
     profile_heights_.dispatch(chunk.occupied_planes, profiled);
     const auto heights = profile_heights_.heights();
     const std::int32_t edge = window_.zone_edge();
-    const auto zone_columns = static_cast<std::size_t>(edge * edge);
+    const std::size_t zone_columns =
+        static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge);
     for (std::size_t i = 0; i < heights.size(); ++i) {
         if (heights[i] == ops::ProfileHeights::no_height) {
             continue;
