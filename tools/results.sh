@@ -33,6 +33,14 @@ for tool in "$build/zonegrid" jq; do
         exit 1
     }
 done
+case " ${tables[*]} " in
+    *" rates "* | *" octomap "*)
+        [[ -x "$build/zonegrid-octomap" ]] || {
+            echo "results: $build/zonegrid-octomap is missing; configure with -DZONEGRID_OCTOMAP=ON, and build" >&2
+            exit 1
+        }
+        ;;
+esac
 scenes="$(dirname "${BASH_SOURCE[0]}")/../scenes"
 mkdir -p "$out"
 
