@@ -25,8 +25,16 @@ if [[ $# -lt 2 || ! "$jobs" =~ ^[1-9][0-9]*$ ]]; then
 fi
 build="$1" out="$2"
 shift 2
+all_tables=(cells faults faults_by_cell fusion navigation screen wires scenes backends rates octomap)
 tables=("$@")
-[[ $# -gt 0 ]] || tables=(cells faults faults_by_cell fusion navigation screen wires scenes backends rates octomap)
+[[ $# -gt 0 ]] || tables=("${all_tables[@]}")
+for table in "${tables[@]}"; do
+    [[ " ${all_tables[*]} " == *" $table "* ]] || {
+        echo "results: there is no table $table" >&2
+        usage >&2
+        exit 2
+    }
+done
 for tool in "$build/zonegrid" jq; do
     command -v "$tool" >/dev/null || {
         echo "results: $tool is missing; build zonegrid, and install jq" >&2
@@ -321,16 +329,11 @@ table_backends() {
 }
 
 for table in "${tables[@]}"; do
-    case "$table" in
-        backends | cells | faults | faults_by_cell | fusion | navigation | screen | wires | scenes | rates | octomap) ;;
-        *)
-            echo "results: there is no table $table" >&2
-            usage >&2
-            exit 2
-            ;;
-    esac
     "table_$table" >"$out/$table.plan"
-    carry_out "$out/$table.plan"
+    carry_out "$out/$table.plan" || {
+        echo "results: not all maps of the table $table could be made; see above" >&2
+        exit 1
+    }
     case "$table" in
         backends) tabulate_across "$table" digest_entry "${backends[@]}" ;;
         faults_by_cell) tabulate_across "$table" share_entry "${cell_sizes[@]/%/ m}" ;;
